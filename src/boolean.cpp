@@ -67,7 +67,7 @@ bool becomeSingle(const OperandPair& pair, const std::string& outputName) {
 void roundFor(const std::string& outputName, OperandPair& pair) {
   if (!becomeSingle(pair, outputName)) return;
   for (io::Part& part : pair.parts) {
-    for (Vec3& p : part.mesh.positions) p = inSingle(p, 1);
+    for (Vec3& p : part.mesh.positions) p = inSingle(p, {});
     part.mesh.isSingle = true;
   }
 }

@@ -160,11 +160,12 @@ set(small
   src/jobs/operands.cpp
   src/jobs/part_boolean.cpp
   src/jobs/part_run.cpp
+  src/jobs/parts/common_frame.cpp
   src/jobs/parts/part_borders.cpp
+  src/jobs/parts/part_frames.cpp
   src/jobs/parts/part_joining.cpp
   src/jobs/parts/part_places.cpp
   src/jobs/parts/part_report.cpp
-  src/jobs/parts/part_scale.cpp
   src/jobs/parts/part_targets.cpp
   src/jobs/parts/part_unions.cpp
   src/jobs/parts/quad_diagonals.cpp
@@ -176,6 +177,7 @@ set(small
   src/measure/quad_report.cpp
   src/measure/salient_vertices.cpp
   src/mesh/attribute_mix.cpp
+  src/mesh/canonical_order.cpp
   src/mesh/check.cpp
   src/mesh/coordinate_step.cpp
   src/mesh/fan_cut.cpp

@@ -56,11 +56,13 @@ add_executable(unit_tests
   tests/unit/jobs/dropping_test.cpp
   tests/unit/jobs/face_budget_test.cpp
   tests/unit/jobs/fewest_vertices_test.cpp
+  tests/unit/jobs/inspected_parts_test.cpp
   tests/unit/jobs/part_repair_test.cpp
+  tests/unit/jobs/parts/common_frame_test.cpp
+  tests/unit/jobs/parts/part_frames_test.cpp
   tests/unit/jobs/parts/part_joining_test.cpp
   tests/unit/jobs/parts/part_places_test.cpp
   tests/unit/jobs/parts/part_report_test.cpp
-  tests/unit/jobs/parts/part_scale_test.cpp
   tests/unit/jobs/parts/part_targets_test.cpp
   tests/unit/jobs/parts/part_unions_test.cpp
   tests/unit/jobs/parts/quad_diagonals_test.cpp
@@ -70,6 +72,7 @@ add_executable(unit_tests
   tests/unit/measure/mesh_report_test.cpp
   tests/unit/measure/quad_report_test.cpp
   tests/unit/measure/self_intersections_test.cpp
+  tests/unit/mesh/canonical_order_test.cpp
   tests/unit/mesh/check_test.cpp
   tests/unit/mesh/coordinate_step_test.cpp
   tests/unit/mesh/edge_groups_test.cpp

@@ -116,7 +116,7 @@ class Run {
 
   Vec3 rounded(const Vec3& normal) const {
     const Vec3 p = canonicalPlace(normal / toNormal_);
-    return options_.isSingle ? inSingle(p, options_.scale) : p;
+    return options_.isSingle ? inSingle(p, options_.frame) : p;
   }
 
   Vec3 weights(Index triangle, Index point) const {

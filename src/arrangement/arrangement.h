@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "arrangement/cells.h"
+#include "base/frame.h"
 #include "base/types.h"
 
 namespace remesher {
@@ -30,7 +31,7 @@ struct ArrangementInput {
 struct ArrangementOptions {
   InsideRule isInside = isWound;
   bool isSingle = false;  // new points in single precision of the written coordinates
-  double scale = 1;       // a coordinate here over the written one, as in TriangleMesh
+  Frame frame = {};       // of the coordinates, as in TriangleMesh
   std::size_t mostWork = std::size_t{1} << 31;  // steps: pairs of triangles, points, flips, signs
 };
 

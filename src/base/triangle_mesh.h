@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/frame.h"
 #include "base/types.h"
 
 namespace remesher {
@@ -35,19 +36,13 @@ struct TriangleMesh {
   std::vector<Index> groups;   // one per triangle (a glTF primitive, an OBJ material), or empty
   std::vector<Attribute> attributes;
   bool isSingle = false;                 // coordinates have single precision, and are written so
-  double scale = 1;                      // a coordinate here over the written one
+  Frame frame = {};                      // of the coordinates here
   std::optional<WholeSteps> steps = {};  // the integer steps of the given coordinates, if any
   // Triangles 2i and 2i + 1 are a quad each, cut from its first corner: (a, b, c) and (a, c, d).
   bool isQuads = false;
 
   std::size_t triangleCount() const { return indices.size() / 3; }
 };
-
-// The position rounded to single precision of the written coordinate p / scale; floats near the
-// smallest have few digits.
-inline Vec3 inSingle(const Vec3& p, double scale) {
-  return (p / scale).cast<float>().cast<double>() * scale;
-}
 
 // Four indices per quad, in the triangles' order; empty if the mesh has no quads.
 std::vector<Index> quadsOf(const TriangleMesh& mesh);

@@ -9,8 +9,8 @@
 #include "base/legible.h"
 #include "geometry/triangle.h"
 #include "jobs/checks/result_check.h"
+#include "jobs/parts/part_frames.h"
 #include "jobs/parts/part_places.h"
-#include "jobs/parts/part_scale.h"
 #include "mesh/used_vertices.h"
 #include "mesh/welding.h"
 #include "repair/loose_pieces.h"
@@ -100,7 +100,7 @@ void keepUnmarkedIn(std::vector<io::Part>& parts, const Marks& isGone) {
                 "Ask for less with --drop-below, or leave it out.");
 }
 
-std::vector<io::Part> applied(const PartScale& scale, const std::vector<io::Part>& parts) {
+std::vector<io::Part> applied(const PartFrames& scale, const std::vector<io::Part>& parts) {
   return scale.isNeeded() ? scale.applied(parts) : parts;
 }
 
@@ -115,7 +115,7 @@ std::string inWords(const std::vector<SizedPlace>& places, const std::vector<io:
   return words;
 }
 
-SizedPlace placeOf(const LoosePiece& piece, const PartScale& scale) {
+SizedPlace placeOf(const LoosePiece& piece, const PartFrames& scale) {
   const Vec3 low = scale.unscaled(piece.box.low), high = scale.unscaled(piece.box.high);
   return {(low + high) / 2, (high - low).norm()};
 }
@@ -162,7 +162,7 @@ void keepClosedWhole(const TriangleMesh& mesh, std::vector<char>& isGone) {
 
 Dropped dropSmallPieces(std::vector<io::Part>& parts, const RemeshOptions& options) {
   Dropped dropped;
-  const PartScale scale(parts);
+  const PartFrames scale(parts);
   const std::vector<io::Part> scaled = applied(scale, parts);
   const std::vector<PartPlace> places = placesOf(scaled);
   World world;
@@ -196,7 +196,7 @@ Dropped dropSmallPieces(std::vector<io::Part>& parts, const RemeshOptions& optio
 
 Dropped dropHiddenTriangles(std::vector<io::Part>& parts, Hidden hidden) {
   Dropped dropped;
-  const PartScale scale(parts);
+  const PartFrames scale(parts);
   const std::vector<io::Part> scaled = applied(scale, parts);
   World world;
   Marks isGone = marksFor(parts, 1);

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
-// What all levels of detail share: the parts of a scene at about unit size, welded and inspected.
+// What all levels of detail share: the parts of a scene at about unit size and in canonical order,
+// welded and inspected.
 #pragma once
 
 #include <vector>
 
+#include "base/input_place.h"
 #include "base/options.h"
 #include "base/report.h"
 #include "io/model/model.h"
+#include "jobs/parts/part_frames.h"
 #include "jobs/parts/part_places.h"
-#include "jobs/parts/part_scale.h"
+#include "mesh/canonical_order.h"
 #include "mesh/welding.h"
 
 namespace remesher {
@@ -19,23 +22,28 @@ class InspectedParts {
   explicit InspectedParts(const std::vector<io::Part>& parts);
 
   const std::vector<io::Part>& given() const { return given_; }
-  // At about unit size, as are weldings and places.
-  const std::vector<io::Part>& parts() const { return scale_.isNeeded() ? scaled_ : given_; }
+  // At about unit size and in canonical order, as are weldings and places.
+  const std::vector<io::Part>& parts() const { return parts_; }
   const std::vector<Welding>& weldings() const { return weldings_; }  // per part
   const std::vector<PartPlace>& places() const { return places_; }    // per part
   const MeshReport& report() const { return report_; }
 
-  RemeshOptions scaled(const RemeshOptions& options) const;
+  // The options for these parts: lengths, and numbers of vertices.
+  RemeshOptions applied(RemeshOptions options) const;
 
-  // Results at the sizes and places of the given parts.
-  std::vector<io::Part> unscaled(std::vector<io::Part> results) const;
+  // Results at the sizes and places of the given parts. A part that is what it was comes back as it
+  // was given.
+  std::vector<io::Part> undone(std::vector<io::Part> results) const;
+  // The same places on the given part.
+  std::vector<InputPlace> given(std::size_t part, std::vector<InputPlace> places) const;
   // A place on a part's result, likewise.
   Vec3 given(std::size_t part, const Vec3& p) const;
 
  private:
   const std::vector<io::Part>& given_;
-  PartScale scale_;
-  std::vector<io::Part> scaled_;  // empty unless scaling is needed
+  PartFrames frames_;
+  std::vector<CanonicalOrder> orders_;  // per part
+  std::vector<io::Part> parts_;
   std::vector<Welding> weldings_;
   std::vector<PartPlace> places_;
   MeshReport report_;

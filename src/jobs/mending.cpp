@@ -61,7 +61,7 @@ void requireNoVertexNumbers(const RemeshOptions& options) {
 void roundToSingle(std::vector<io::Part>& parts) {
   for (io::Part& part : parts)
     for (Vec3& p : part.mesh.positions)
-      if (part.mesh.isSingle) p = inSingle(p, part.mesh.scale);
+      if (part.mesh.isSingle) p = inSingle(p, part.mesh.frame);
 }
 
 // Angles are no concern of a repair.

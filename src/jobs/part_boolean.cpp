@@ -11,9 +11,9 @@
 #include "jobs/checks/precision.h"
 #include "jobs/checks/result_check.h"
 #include "jobs/inspected_parts.h"
+#include "jobs/parts/part_frames.h"
 #include "jobs/parts/part_joining.h"
 #include "jobs/parts/part_report.h"
-#include "jobs/parts/part_scale.h"
 #include "jobs/repair_words.h"
 #include "jobs/run_guards.h"
 #include "repair/boolean.h"
@@ -43,7 +43,7 @@ class Scaled {
 
  private:
   io::Part joint_;
-  PartScale scale_;
+  PartFrames scale_;
 };
 
 [[noreturn]] void refuseOperand(const OperandPair& pair, std::size_t i, const Scaled& scaled) {

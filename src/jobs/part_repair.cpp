@@ -9,9 +9,9 @@
 #include "io/model/bake.h"
 #include "jobs/checks/result_check.h"
 #include "jobs/part_run.h"
+#include "jobs/parts/part_frames.h"
 #include "jobs/parts/part_places.h"
 #include "jobs/parts/part_report.h"
-#include "jobs/parts/part_scale.h"
 #include "jobs/repair_words.h"
 #include "measure/mesh_report.h"
 #include "measure/self_intersections.h"
@@ -23,13 +23,13 @@ namespace remesher {
 
 namespace {
 
-std::vector<Vec3> inWorld(std::vector<Vec3> places, const io::Part& part, const PartScale& scale) {
+std::vector<Vec3> inWorld(std::vector<Vec3> places, const io::Part& part, const PartFrames& scale) {
   for (Vec3& place : places) place = scale.inWorld(part, place);
   return places;
 }
 
 void addPlaces(std::vector<SizedPlace>& all, const std::vector<SizedPlace>& more,
-               const io::Part& part, const PartScale& scale) {
+               const io::Part& part, const PartFrames& scale) {
   for (const SizedPlace& place : more)
     all.push_back({scale.inWorld(part, place.at), scale.growth(part) * place.across});
   std::stable_sort(all.begin(), all.end(),
@@ -107,7 +107,7 @@ void warnOfMeeting(std::vector<PlacedWarning>& warnings, const std::vector<io::P
 
 PartsRepair repairParts(std::vector<io::Part> parts, const RemeshOptions& options,
                         const Progress& progress) {
-  const PartScale scale(parts);
+  const PartFrames scale(parts);
   PartsRepair result{scale.isNeeded() ? scale.applied(parts) : parts, {}, {}};
   double total = 0, done = 0;
   std::size_t most = 0;
@@ -124,8 +124,11 @@ PartsRepair repairParts(std::vector<io::Part> parts, const RemeshOptions& option
     if (result.parts.size() > 1 && !isSurface(part.mesh)) continue;
     // Vertices that repair makes are single, so that they are the same in every format of file.
     const bool isSingle = std::exchange(part.mesh.isSingle, true);
+    const Frame frame = part.mesh.frame;
+    if (!isSingle) part.mesh.frame = nearFrame(frame);
     RepairedMesh repaired = repairSurface(part.mesh, own);
     repaired.mesh.isSingle = isSingle;
+    repaired.mesh.frame = frame;
     repaired.mesh.steps = part.mesh.steps;
     part.mesh = std::move(repaired.mesh);
     result.isRemade |= repaired.isRemade;
@@ -179,7 +182,7 @@ RoundedMesh inSoundPrecisionOf(const TriangleMesh& original, RemeshOutcome& outc
 }
 
 FaultReport faultsOf(const std::vector<io::Part>& parts) {
-  const PartScale scale(parts);
+  const PartFrames scale(parts);
   FaultReport sum;
   for (const io::Part& part : scale.isNeeded() ? scale.applied(parts) : parts) {
     const FaultReport faults = faultsOf(part.mesh);

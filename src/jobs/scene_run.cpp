@@ -191,20 +191,22 @@ void describeAsOne(SceneRun& run, const InspectedParts& originals, const RemeshO
 SceneRun remeshInspected(const SceneInput& input, const RemeshOptions& wanted,
                          const Progress& progress) {
   const InspectedParts& originals = input.originals;
-  const RemeshOptions options = originals.scaled(wanted);
+  const RemeshOptions options = originals.applied(wanted);
   SceneRun run = begun(originals);
   std::optional<ListedTree> tree = SurfaceRuns(run, input, options).all(progress);
   progress.phase("measure", 1 - kMeasureShare, 1);
   measure(run, originals, options, std::move(tree));
+  for (std::size_t i = 0; i < run.places.size(); ++i)
+    run.places[i] = originals.given(i, std::move(run.places[i]));
   if (input.held == Held::AsOne && run.parts.size() > 1) {
-    run.parts = originals.unscaled(std::move(run.parts));
+    run.parts = originals.undone(std::move(run.parts));
     describeAsOne(run, originals, wanted);
     return run;
   }
   const MadeCrossings crossings =
       crossingsMade({originals.parts(), run.parts, originals.places()}, run.crossings);
-  run.parts = originals.unscaled(std::move(run.parts));
-  warnOf(run.report, {originals.parts(), run.parts, originals.places()}, crossings, wanted);
+  run.parts = originals.undone(std::move(run.parts));
+  warnOf(run.report, {originals.given(), run.parts, originals.places()}, crossings, wanted);
   return run;
 }
 

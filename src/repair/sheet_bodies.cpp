@@ -126,7 +126,7 @@ class BodyMaker {
 
   Index copyOf(Index vertex, const Vec3& place) {
     TriangleMesh& mesh = result_.mesh;
-    mesh.positions.push_back(input_.isSingle ? inSingle(place, input_.scale) : place);
+    mesh.positions.push_back(input_.isSingle ? inSingle(place, input_.frame) : place);
     for (Attribute& attribute : mesh.attributes)
       for (int k = 0; k < attribute.itemSize; ++k)
         attribute.values.push_back(
@@ -215,7 +215,7 @@ class BodyMaker {
     const auto below = [&](Halfedge h) {
       Vec3 p = built_.positions[built_.mesh.origin(h)];
       p[up.axis] = level;
-      if (input_.isSingle) p = inSingle(p, input_.scale);
+      if (input_.isSingle) p = inSingle(p, input_.frame);
       const FlatView view{up.axis};
       const auto [known, isNew] =
           numbers.emplace(std::array{p[view.u()], p[view.v()]}, Index(outline.points.size()));

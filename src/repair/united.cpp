@@ -133,7 +133,7 @@ std::optional<United> arranged(const TriangleMesh& bodies, const Operands& opera
   const Welded welded = weldedOf(bodies, operands.numbers);
   ArrangementOptions options;
   options.isInside = operands.isInside;
-  options.isSingle = bodies.isSingle, options.scale = bodies.scale;
+  options.isSingle = bodies.isSingle, options.frame = bodies.frame;
   options.mostWork = kWorkBesides + kWorkPerTriangle * bodies.triangleCount();
   const ArrangementResult found = arrange(welded.input, options);
   if (found.outcome != ArrangementResult::Outcome::Done) return std::nullopt;

@@ -10,14 +10,16 @@ import { faultyBody, openSheet, soundBody } from './made_bodies.js';
 import { runOf } from './trust_case.js';
 import { objFile } from './trust_files.js';
 
-/** Multiples of this are moved by whole powers of two without rounding. */
+/** Multiples of this are moved by whole numbers and scaled by powers of two without rounding. */
 const step = 2 ** -20;
+/** Decimals have so many digits, in files that people write. */
+const digits = 6;
 
-const fitted = ({ positions, triangles }) => {
+const fitted = ({ positions, triangles }, rounded) => {
   const size = positions.flat().reduce((large, x) => Math.max(large, Math.abs(x)), 0);
   const factor = 2 ** -Math.ceil(Math.log2(size));
   return { triangles, positions: positions.map((p) =>
-    p.map((x) => Math.round((x * factor) / step) * step)) };
+    p.map((x) => rounded(x * factor))) };
 };
 
 const mapped = ({ positions, triangles }, map) => ({ positions: positions.map(map), triangles });
@@ -38,6 +40,13 @@ const reordered = ({ positions, triangles }, dice) => {
     triangles: triangles.map((t) => t.map((v) => numbers.get(v))) };
 };
 
+const inSteps = (/** @type {number} */ x) => Math.round(x / step) * step;
+const inDecimals = (/** @type {number} */ x) => Number(x.toFixed(digits));
+
+/** The decimal, its point moved. */
+const shifted = (/** @type {number} */ x, /** @type {number} */ places) =>
+  Number(`${Math.round(x * 10 ** digits)}e${places - digits}`);
+
 const scaledBy = (/** @type {number} */ factor) => ({ words: `by ${factor}`,
   shape: (shape) => mapped(shape, (p) => p.map((x) => x * factor)), undo: (x) => x / factor });
 
@@ -54,7 +63,16 @@ export const changes = {
       undo: (x, k) => x - by[k] };
   },
   scaled: (dice) => scaledBy(2 ** dice.whole(-40, 40)),
-  'scaled by tens': (dice) => scaledBy(10 ** dice.whole(-6, 6)),
+  'moved in decimals': (dice) => {
+    const by = [0, 1, 2].map(() => inDecimals(dice.number(-1, 1) * 10 ** dice.whole(0, 6)));
+    return { words: `by ${by}`, rounded: inDecimals, undo: (x, k) => x - by[k],
+      shape: (shape) => mapped(shape, (p) => p.map((x, k) => inDecimals(x + by[k]))) };
+  },
+  'scaled by tens': (dice) => {
+    const places = dice.whole(-6, 6);
+    return { words: `by 1e${places}`, rounded: inDecimals, undo: (x) => x / 10 ** places,
+      shape: (shape) => mapped(shape, (p) => p.map((x) => shifted(x, places))) };
+  },
   turned: () => ({ words: 'x to y to z', shape: (shape) => mapped(shape, ([x, y, z]) => [z, x, y]),
     undo: (_, k, p) => p[(k + 1) % 3] }),
   'in another order of vertices': (dice) => ({ shape: (shape) => reordered(shape, dice) }),
@@ -75,7 +93,7 @@ export function makeInvarianceCase(seed) {
   const options = dice.pick([{ vertices }, { vertices }, { vertices, quads: true },
     { repair: 'auto' }]);
   return { description: `${name} ${kind} ${change.words ?? change.output ?? ''}`,
-    shape: fitted(shape), change, options };
+    shape: fitted(shape, change.rounded ?? inSteps), change, options };
 }
 
 function undone(surface, { undo = (x) => x }) {

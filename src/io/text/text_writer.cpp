@@ -61,7 +61,7 @@ TextWriter& TextWriter::coordinates(const Vec3& values) {
 Digits digitsFor(const std::vector<const TriangleMesh*>& meshes, Digits wanted) {
   for (const TriangleMesh* mesh : meshes)
     for (const Vec3& p : mesh->positions)
-      if (inSingle(p, 1) != p) return Digits::OfDoubles;
+      if (inSingle(p, {}) != p) return Digits::OfDoubles;
   return wanted;
 }
 

@@ -23,16 +23,20 @@ void unifyPlaces(std::vector<Vec3>& positions) {
 
 RoundedMesh inPrecisionOf(const TriangleMesh& original, TriangleMesh result) {
   const std::size_t places = countPlaces(result.positions);
+  const Frame& frame = original.frame;
+  for (Vec3& p : result.positions) p = frame.written(p);
   if (original.steps)
     if (std::optional<std::vector<Vec3>> whole = inWholeSteps(result, *original.steps))
       result.positions = std::move(*whole);
   if (original.isSingle)
-    for (Vec3& p : result.positions) p = inSingle(p, original.scale);
+    for (Vec3& p : result.positions) p = p.cast<float>().cast<double>();
   result.isSingle = original.isSingle;
   result.steps = original.steps;
   joinNoise(result);
   unifyPlaces(result.positions);
   const std::size_t left = countPlaces(result.positions);
+  for (Vec3& p : result.positions) p = frame.here(p);
+  result.frame = frame;
   return {std::move(result), places - left};
 }
 

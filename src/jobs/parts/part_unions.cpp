@@ -110,7 +110,7 @@ class Parting {
         values.insert(values.end(), at, at + all.itemSize);
       }
     }
-    made.scale = original.scale;
+    made.frame = original.frame;
     made.isQuads = whole_.mesh.isQuads;
     return made;
   }
@@ -151,7 +151,7 @@ void PartUnions::add(std::vector<std::size_t> members, const std::vector<Triangl
   Union made{surfaces_.size(), {}, {}, {}, {}};
   TriangleMesh mesh;
   mesh.isSingle = true;
-  mesh.scale = parts_[members.front()].mesh.scale;
+  mesh.frame = parts_[members.front()].mesh.frame;
   for (const std::size_t m : members) {
     made.vertices.push_back(Index(mesh.positions.size()));
     made.triangles.push_back(Index(mesh.triangleCount()));
@@ -160,7 +160,7 @@ void PartUnions::add(std::vector<std::size_t> members, const std::vector<Triangl
     appendMesh(mesh, placed[m]);
     made.bodies.resize(groupCount(mesh), Index(made.groups.size() - 1));
     const TriangleMesh& own = parts_[m].mesh;
-    mesh.isSingle = mesh.isSingle && own.isSingle && own.scale == mesh.scale;
+    mesh.isSingle = mesh.isSingle && own.isSingle && own.frame == mesh.frame;
   }
   surfaces_.push_back({parts_[members.front()].name, std::move(mesh), {Transform::Identity()}});
   members_.push_back(std::move(members));

@@ -18,7 +18,8 @@ double smallestGone(const Run& run, const LocalChange& change) {
   double smallest = smallestGoingAngle(run.mesh, change, grain);
   if (change.operation == Operation::Collapse)
     for (const Halfedge side : {change.halfedge, mesh.twin(change.halfedge)})
-      smallest = std::min(smallest, smallestAngle(run.mesh, HalfedgeMesh::face(side), grain));
+      if (side)  // a border has one
+        smallest = std::min(smallest, smallestAngle(run.mesh, HalfedgeMesh::face(side), grain));
   return smallest;
 }
 

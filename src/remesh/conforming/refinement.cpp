@@ -111,7 +111,9 @@ class FacetRefinement {
       }
       if (!out) return {f, {}};
       if (mesh_.isLine(out)) return {{}, out};
-      f = m_.face(m_.twin(out));
+      const Halfedge beyond = m_.twin(out);
+      if (!beyond) return {f, {}};  // the border of what is too narrow to have a line
+      f = m_.face(beyond);
     }
     return {f, {}};
   }

@@ -8,12 +8,12 @@ namespace remesher {
 
 struct Grain {
   double size = 0;   // how far rounding moves them; 0: not at all
-  double scale = 1;  // see TriangleMesh
+  Frame frame = {};  // see TriangleMesh
 };
 
 // A position as it is written.
 inline Vec3 written(const Vec3& p, const Grain& grain) {
-  return grain.size > 0 ? inSingle(p, grain.scale) : p;
+  return grain.size > 0 ? inSingle(p, grain.frame) : p;
 }
 
 }  // namespace remesher

@@ -2,10 +2,8 @@
 #include "remesh/schemes/curve_choice.h"
 
 #include <cmath>
-#include <string>
 #include <utility>
 
-#include "base/error.h"
 #include "original/curves/feature_detection.h"
 
 namespace remesher {
@@ -16,7 +14,8 @@ namespace {
 // fillets, but not where flat goes over into round.
 constexpr double kRimBend = 0.2;
 
-// The edges that the caller gave as pairs of input vertices.
+// The edges that the caller gave as pairs of input vertices; without those of copies of triangles
+// that were removed.
 std::vector<Halfedge> givenEdges(const BuiltMesh& built, const RemeshOptions& options) {
   if (options.featureEdges.empty()) return {};
   std::vector<Vertex> vertexOf;
@@ -31,12 +30,7 @@ std::vector<Halfedge> givenEdges(const BuiltMesh& built, const RemeshOptions& op
     const Vertex from = vertex(a), to = vertex(b);
     Halfedge h = from && to ? built.mesh.find(from, to) : Halfedge();
     if (!h && from && to) h = built.mesh.find(to, from);
-    if (!h)
-      throw Error(ErrorCode::InvalidOption,
-                  "featureEdges: there is no edge between vertices " + std::to_string(a) + " and " +
-                      std::to_string(b) + ".",
-                  "Give pairs of input vertices that an edge of a triangle joins.");
-    edges.push_back(h);
+    if (h) edges.push_back(h);
   }
   return edges;
 }

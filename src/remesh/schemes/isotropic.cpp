@@ -123,9 +123,11 @@ Made makeMesh(Run& run, const Prepared& original, const RunSettings& settings,
 // format of file, up to its last digits.
 Grain grainOf(const TriangleMesh& input) {
   constexpr double kHalfUlp = 0x1p-24, kHalfLeast = 0x1p-150;
+  const Frame frame = input.isSingle ? input.frame : nearFrame(input.frame);
   double farthest = 0;
-  for (const Vec3& p : input.positions) farthest = std::max(farthest, p.cwiseAbs().maxCoeff());
-  return {std::max(kHalfUlp * farthest, kHalfLeast * input.scale), input.scale};
+  for (const Vec3& p : input.positions)
+    farthest = std::max(farthest, frame.written(p).cwiseAbs().maxCoeff());
+  return {std::max(kHalfUlp * farthest, kHalfLeast) * frame.scale(), frame};
 }
 
 // With many vertices projection walks: over short edges the straight way leads to the same place as

@@ -118,7 +118,7 @@ SurfacePart partOf(const TriangleMesh& input, std::vector<Index> triangles) {
     part.mesh.positions.push_back(input.positions[v]);
   }
   part.mesh.isSingle = input.isSingle;
-  part.mesh.scale = input.scale;
+  part.mesh.frame = input.frame;
   part.mesh.steps = input.steps;
   for (const Index t : triangles) {
     for (std::size_t k = 0; k < 3; ++k)

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/fires.h"
+#include "base/legible.h"
 #include "remesh/schemes/targets.h"
 
 namespace remesher {
@@ -68,10 +69,12 @@ std::optional<StandIn> standInFor(const OriginalSurface& surface, std::size_t ve
   return StandIn(surface, evenEdgeLength(surface.area(), thinned));
 }
 
-Warning warningOf(const Spikes& spikes, const BuiltMesh& built) {
+Warning warningOf(const Spikes& spikes, const BuiltMesh& built, const Frame& frame) {
+  constexpr int kShown = 6;
+  const Vec3 tip = frame.written(built.positions[spikes.longest]);
   return {"SPIKES_LEFT_COARSE",
-          "Vertices that stick out far, the farthest of them vertex " +
-              std::to_string(built.sources[spikes.longest]) +
+          "Vertices that stick out far, the farthest of them at (" + inDigits(tip.x(), kShown) +
+              ", " + inDigits(tip.y(), kShown) + ", " + inDigits(tip.z(), kShown) + ")" +
               ", are joined to the rest by needles; these keep few vertices, so that the rest has "
               "its share.",
           spikes.count};
@@ -173,7 +176,7 @@ Plan planRun(const TriangleMesh& input, Welding welding, const RemeshOptions& op
   std::vector<float> density = densityOf(built, options);
   std::vector<Warning> warnings = built.warnings;
   warnings.insert(warnings.end(), choice.warnings.begin(), choice.warnings.end());
-  if (!spikes.empty()) warnings.push_back(warningOf(spikes, built));
+  if (!spikes.empty()) warnings.push_back(warningOf(spikes, built, input.frame));
   if (options.quads) choice.flats = {};  // their triangles are as large there as elsewhere
   return {std::move(built),   std::move(choice.curves), std::move(choice.transfer),
           std::move(density), std::move(choice.flats),  std::move(spikes),

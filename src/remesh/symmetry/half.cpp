@@ -22,7 +22,7 @@ class PlaneCut {
   PlaneCut(Half half, const MirrorPlane& plane, double slack)
       : old_(std::move(half)), plane_(plane), sides_(old_.mesh.positions.size()) {
     made_.mesh.isSingle = old_.mesh.isSingle;
-    made_.mesh.scale = old_.mesh.scale;
+    made_.mesh.frame = old_.mesh.frame;
     for (std::size_t v = 0; v < sides_.size(); ++v) {
       const double distance = plane.distance(old_.mesh.positions[v]);
       sides_[v] = distance > slack ? distance : distance < -slack ? distance : 0;
@@ -112,7 +112,7 @@ Half wholeOf(const TriangleMesh& whole) {
   Half half;
   half.mesh.positions = whole.positions;
   half.mesh.isSingle = whole.isSingle;
-  half.mesh.scale = whole.scale;
+  half.mesh.frame = whole.frame;
   half.vertices.resize(whole.positions.size());
   for (Index t = 0; t < whole.triangleCount(); ++t) {
     const Index* const own = &whole.indices[std::size_t{3} * t];

@@ -81,7 +81,7 @@ class Closer {
     closing.plug = plugOf(kept_.built, closing.loop, kShapes[shape]);
     if (!without_.isSingle) return;
     for (std::size_t v = closing.loop.vertices.size(); v < closing.plug.points.size(); ++v)
-      closing.plug.points[v] = inSingle(closing.plug.points[v], without_.scale);
+      closing.plug.points[v] = inSingle(closing.plug.points[v], without_.frame);
   }
 
   TriangleMesh assembled() const {

@@ -48,7 +48,7 @@ class Contourer {
   Contour take() { return std::move(result_); }
 
  private:
-  Vec3 rounded(const Vec3& p) const { return source_.isSingle ? inSingle(p, source_.scale) : p; }
+  Vec3 rounded(const Vec3& p) const { return source_.isSingle ? inSingle(p, source_.frame) : p; }
 
   Index addPoint(const Vec3& p, Index source) {
     result_.points.push_back(rounded(p));

@@ -17,6 +17,7 @@
 #include <span>
 #include <vector>
 
+#include "base/frame.h"
 #include "repair/solid/apex.h"
 #include "repair/solid/crossings_of_edges.h"
 #include "repair/solid/inside.h"
@@ -34,8 +35,8 @@ struct Contour {
 struct SolidSource {
   std::span<const Vec3> positions;
   std::span<const Index> corners;
-  bool isSingle;  // positions are single precision numbers times `scale`
-  double scale;
+  bool isSingle;                  // positions are written in single precision
+  Frame frame;                    // of the positions
   Ridges ridges = Ridges::Sharp;  // that get vertices
 };
 

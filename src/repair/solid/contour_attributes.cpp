@@ -53,7 +53,7 @@ class Carrier {
         sources_(spreadSources(contour)),
         mix_(input),
         first_(contour.points.size(), kNone) {
-    mesh_.isSingle = input.isSingle, mesh_.scale = input.scale;
+    mesh_.isSingle = input.isSingle, mesh_.frame = input.frame;
     for (const Attribute& attribute : input.attributes)
       mesh_.attributes.push_back({attribute.semantic, attribute.itemSize, {}});
   }

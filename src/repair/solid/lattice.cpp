@@ -17,15 +17,16 @@ constexpr double kFewestGrains = 8, kGrainsBeside = 2;
 
 // Coordinates that differ by no more than this may be equal to a reader of the result.
 double grainOf(const TriangleMesh& mesh, const Box& box) {
-  const double farthest = std::max(box.high.cwiseAbs().maxCoeff(), box.low.cwiseAbs().maxCoeff());
-  const double least = mesh.isSingle ? std::numeric_limits<float>::denorm_min() * mesh.scale : 0;
-  return std::max(noiseBeside(farthest, mesh), 2 * least);
+  const Vec3 high = mesh.frame.written(box.high), low = mesh.frame.written(box.low);
+  const double farthest = std::max(high.cwiseAbs().maxCoeff(), low.cwiseAbs().maxCoeff());
+  const double least = mesh.isSingle ? std::numeric_limits<float>::denorm_min() : 0;
+  return std::max(noiseBeside(farthest, mesh), 2 * least) * mesh.frame.scale();
 }
 
 }  // namespace
 
-double Lattice::rounded(double coordinate) const {
-  return scale_ > 0 ? double(float(coordinate / scale_)) * scale_ : coordinate;
+double Lattice::rounded(double coordinate, Eigen::Index axis) const {
+  return frame_ ? inSingle(Vec3::Constant(coordinate), *frame_)[axis] : coordinate;
 }
 
 void Lattice::countPoints() {
@@ -39,8 +40,8 @@ void Lattice::countPoints() {
   strides_ = {counts_[1] * counts_[2], counts_[2], 1};
 }
 
-Lattice::Lattice(const TriangleMesh& mesh, double spacing, double spare)
-    : scale_(mesh.isSingle ? mesh.scale : 0) {
+Lattice::Lattice(const TriangleMesh& mesh, double spacing, double spare) {
+  if (mesh.isSingle) frame_ = mesh.frame;
   Box box;
   for (const Index v : mesh.indices) box.extend(mesh.positions[v]);
   grain_ = grainOf(mesh, box);
@@ -55,7 +56,7 @@ Lattice::Lattice(const TriangleMesh& mesh, double spacing, double spare)
     const double length = box.high[a] + cells * spacing - low;
     const std::size_t count = std::size_t(std::ceil(length / spacing)) + 1;
     for (std::size_t i = 0; i < count; ++i)
-      coordinates_[axis].push_back(rounded(low + double(i) * spacing));
+      coordinates_[axis].push_back(rounded(low + double(i) * spacing, a));
   }
   countPoints();
 }
@@ -65,7 +66,7 @@ Lattice Lattice::withPlanes(const std::array<std::vector<double>, 3>& planes) co
   for (std::size_t axis = 0; axis < 3; ++axis) {
     std::vector<double>& c = result.coordinates_[axis];
     for (const double given : planes[axis]) {
-      const double plane = rounded(given);
+      const double plane = rounded(given, Eigen::Index(axis));
       const auto above = std::upper_bound(c.begin(), c.end(), plane);
       const bool isWithin = above != c.begin() && above != c.end();
       if (!isWithin || std::min(plane - above[-1], *above - plane) < kFewestGrains * grain_)

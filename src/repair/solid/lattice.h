@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "base/triangle_mesh.h"
@@ -78,11 +79,11 @@ class Lattice {
   std::size_t firstFrom(std::size_t axis, double coordinate) const;
 
  private:
-  double rounded(double coordinate) const;
+  double rounded(double coordinate, Eigen::Index axis) const;
   void countPoints();
 
   double spacing_, grain_, leastMargin_;
-  double scale_;  // coordinates are single precision numbers times this; 0: of double precision
+  std::optional<Frame> frame_;  // of coordinates in single precision
   std::array<std::size_t, 3> counts_{}, strides_{};
   std::array<std::vector<double>, 3> coordinates_;
 };

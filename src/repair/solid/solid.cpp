@@ -176,7 +176,7 @@ Solid SolidGround::solid() {
   const BuiltMesh& built = known_->built;
   const std::vector<Index> corners = turnedCorners(built, known_->patches);
   const bool isFinal = known_->rule.cleaning == Cleaning::Thorough;
-  const SolidSource source = {built.positions.values(), corners, input.isSingle, input.scale,
+  const SolidSource source = {built.positions.values(), corners, input.isSingle, input.frame,
                               isFinal ? Ridges::Clear : Ridges::Sharp};
   Contour contour = contourOf(known_->lattice, known_->field, source, known_->crossings);
   const Enclosure enclosed = enclosure();

@@ -139,7 +139,7 @@ TriangleMesh anywhere(TriangleMesh mesh, soups::Random& random) {
                           random.number() - 0.5);
   turn.normalize();
   const Vec3 by = random.point();
-  for (Vec3& p : mesh.positions) p = inSingle(turn * p + by, 1);
+  for (Vec3& p : mesh.positions) p = inSingle(turn * p + by, {});
   return mesh;
 }
 
@@ -292,7 +292,7 @@ TEST_CASE("arrangement: bodies that nearly coincide, in single precision") {
     std::vector<TriangleMesh> bodies;
     for (int k = 0; k < 3; ++k) {
       bodies.push_back(soups::moved(shapes::cylinder(9, 2), 1e-7 * random.point()));
-      for (Vec3& p : bodies.back().positions) p = inSingle(p, 1);
+      for (Vec3& p : bodies.back().positions) p = inSingle(p, {});
     }
     const ArrangementInput input = inputOf(bodies);
     ArrangementOptions options;
@@ -303,7 +303,7 @@ TEST_CASE("arrangement: bodies that nearly coincide, in single precision") {
     // What is left is said.
     CHECK(selfIntersections(meshOf(result)) == result.selfIntersections);
     for (std::size_t v = input.positions.size(); v < result.positions.size(); ++v)
-      REQUIRE(inSingle(result.positions[v], 1) == result.positions[v]);
+      REQUIRE(inSingle(result.positions[v], {}) == result.positions[v]);
   }
 }
 

@@ -80,7 +80,7 @@ TEST_CASE("part repair: a sound outcome is returned as it is") {
 TEST_CASE("part repair: what rounding makes meet itself becomes the sound original, and says so") {
   TriangleMesh sphere = shapes::icosphere(3);
   sphere.isSingle = true;
-  for (Vec3& p : sphere.positions) p = inSingle(p, 1);
+  for (Vec3& p : sphere.positions) p = inSingle(p, {});
   // Closer to each other than single precision tells apart.
   const TriangleMesh twice =
       soups::joined({sphere, soups::moved(shapes::turnedOver(sphere), {1e-9, 0, 0})});
@@ -130,7 +130,7 @@ TEST_CASE("part repair: an edge length is one of the world, in any unit") {
 TEST_CASE("part repair: a thickness that rounding makes is joined before repair, not after it") {
   TriangleMesh flat = shapes::icosphere(2);
   flat.isSingle = true;
-  for (Vec3& p : flat.positions) p = inSingle({1e-8 * p.x(), p.y(), p.z()}, 1);
+  for (Vec3& p : flat.positions) p = inSingle({1e-8 * p.x(), p.y(), p.z()}, {});
   RemeshOptions options;
   options.repair = Repair::Wrap;
   std::vector<io::Part> parts = {{"", flat, {}}};

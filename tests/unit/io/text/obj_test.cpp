@@ -150,7 +150,7 @@ TEST_CASE("obj, off: written exactly, floats are the same numbers to a reader of
   TriangleMesh& mesh = model.parts[0].mesh;
   mesh.isSingle = true;
   for (Vec3& p : mesh.positions) p = Vec3(double(0.1F), double(1.0F / 3), 2.0) + p;
-  for (Vec3& p : mesh.positions) p = inSingle(p, 1);
+  for (Vec3& p : mesh.positions) p = inSingle(p, {});
   for (const char* const name : {"exact.obj", "exact.off"}) {
     const auto back = [&] {
       return io::read(io::write(model, name).files[0]).parts[0].mesh.positions;

@@ -33,7 +33,7 @@ TEST_CASE("precision: single stays single, double stays double") {
 TEST_CASE("precision: the smallest numbers, brought to unit size, keep the few digits they have") {
   TriangleMesh original = triangleAt({0, 0, 0});
   original.isSingle = true;
-  original.scale = 0x1p+147;  // that of the least number is a quarter
+  original.frame.unit = 0x1p+147;  // that of the least number is a quarter
   const RoundedMesh rounded = inPrecisionOf(original, triangleAt({0.3, 0.7, 0.1}));
   CHECK(rounded.mesh.positions[0] == Vec3(0.25, 0.75, 0));
   CHECK(rounded.coincident == 0);

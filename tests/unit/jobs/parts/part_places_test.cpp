@@ -29,7 +29,7 @@ TriangleMesh placed(TriangleMesh mesh, const Transform& place) {
 }
 
 TriangleMesh singled(TriangleMesh mesh) {
-  for (Vec3& p : mesh.positions) p = inSingle(p, 1);
+  for (Vec3& p : mesh.positions) p = inSingle(p, {});
   mesh.isSingle = true;
   return mesh;
 }

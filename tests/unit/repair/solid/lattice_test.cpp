@@ -31,7 +31,7 @@ TEST_CASE("lattice: further planes leave all others where they are") {
 TEST_CASE("lattice: no plane comes nearer to another than coordinates can tell apart") {
   TriangleMesh mesh = shapes::icosphere(3);
   mesh.isSingle = true;
-  for (Vec3& p : mesh.positions) p = inSingle(p + Vec3(1000, 0, 0), 1);
+  for (Vec3& p : mesh.positions) p = inSingle(p + Vec3(1000, 0, 0), {});
   const Lattice before(mesh, 0.2);
   const double near = before.at(0, 4) + 1e-6;
   CHECK(before.withPlanes({{{near}, {}, {}}}).count(0) == before.count(0));

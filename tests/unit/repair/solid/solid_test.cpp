@@ -170,13 +170,13 @@ TEST_CASE("solid: the promise holds in single precision, however far away") {
     CAPTURE(offset);
     TriangleMesh mesh = soups::joined({shapes::icosphere(4), soups::cube(0.3, 1.4)});
     mesh.isSingle = true;
-    for (Vec3& p : mesh.positions) p = inSingle(p + Vec3(offset, 0.1 * offset, 0), 1);
+    for (Vec3& p : mesh.positions) p = inSingle(p + Vec3(offset, 0.1 * offset, 0), {});
     const Solid solid = solidOf(mesh, {0.05, InsideBy::Reach, 0.1});
     if (offset < 1e7) CHECK(!solid.mesh.indices.empty());
     if (solid.mesh.indices.empty()) continue;
     checkPromise(solid.mesh);
     CHECK(inspectMesh(solid.mesh).degenerateTriangles == 0);
-    for (const Vec3& p : solid.mesh.positions) CHECK(p == inSingle(p, 1));
+    for (const Vec3& p : solid.mesh.positions) CHECK(p == inSingle(p, {}));
   }
 }
 
@@ -203,9 +203,9 @@ TEST_CASE("solid: in single precision nothing moves when it is written") {
   TriangleMesh mesh =
       soups::joined({shapes::icosphere(6), soups::moved(shapes::cube(3), {0.3, 0, 0})});
   mesh.isSingle = true;
-  for (Vec3& p : mesh.positions) p = inSingle(p, 1);
+  for (Vec3& p : mesh.positions) p = inSingle(p, {});
   const TriangleMesh solid = solidOf(mesh, {0.13}).mesh;
-  for (const Vec3& p : solid.positions) REQUIRE(p == inSingle(p, 1));
+  for (const Vec3& p : solid.positions) REQUIRE(p == inSingle(p, {}));
   checkPromise(solid);
 }
 

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/canonical_order.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <span>
+#include <tuple>
+#include <utility>
+
+#include "mesh/space_order.h"
+
+namespace remesher {
+namespace {
+
+using FloatPoint = std::array<float, 3>;
+
+// Axes in an order and a direction of the surface's own, so that turning it by quarters turns them
+// along: the widest spread of corners first, and away from their longer tail. Where the surface
+// does not tell clearly, as the coordinates have them.
+class OwnAxes {
+ public:
+  explicit OwnAxes(const TriangleMesh& mesh) {
+    constexpr double kClear = 1e-6;
+    const Moments moments(mesh);
+    std::stable_sort(axes_.begin(), axes_.end(), [&](Eigen::Index a, Eigen::Index b) {
+      return moments.second[a] > (1 + kClear) * moments.second[b];
+    });
+    for (Eigen::Index k = 0; k < 3; ++k) {
+      const Eigen::Index axis = axes_[std::size_t(k)];
+      if (moments.third[axis] < -kClear) signs_[k] = -1;
+    }
+  }
+
+  Vec3 along(const Vec3& p) const {
+    return signs_.cwiseProduct(Vec3(p[axes_[0]], p[axes_[1]], p[axes_[2]]));
+  }
+
+ private:
+  // Of the corners about the middle of their box, in sizes of the box.
+  struct Moments {
+    explicit Moments(const TriangleMesh& mesh) {
+      Eigen::AlignedBox3d box;
+      for (const Index v : mesh.indices) box.extend(mesh.positions[v]);
+      if (box.isEmpty()) return;
+      const Vec3 middle = box.min() / 2 + box.max() / 2;
+      const double size = (box.max() - box.min()).maxCoeff();
+      if (!(size > 0)) return;
+      for (const Index v : mesh.indices) {
+        const Eigen::Array3d x = ((mesh.positions[v] - middle) / size).array();
+        second += (x * x).matrix();
+        third += (x * x * x).matrix();
+      }
+      third /= double(mesh.indices.size());
+    }
+    Vec3 second = Vec3::Zero(), third = Vec3::Zero();
+  };
+
+  std::array<Eigen::Index, 3> axes_ = {0, 1, 2};
+  Vec3 signs_ = Vec3::Ones();
+};
+
+std::vector<FloatPoint> floatsOf(const std::vector<Vec3>& positions, const OwnAxes& axes) {
+  std::vector<FloatPoint> floats;
+  floats.reserve(positions.size());
+  for (const Vec3& position : positions) {
+    const Vec3 p = axes.along(position);
+    floats.push_back({float(p.x()), float(p.y()), float(p.z())});
+  }
+  return floats;
+}
+
+// Compares vertices by place, then by the values of the attributes: below 0 if a comes first, 0 if
+// they are just the same.
+int compared(const TriangleMesh& mesh, const OwnAxes& axes, Index a, Index b) {
+  const Vec3 p = axes.along(mesh.positions[a]), q = axes.along(mesh.positions[b]);
+  for (Eigen::Index axis = 0; axis < 3; ++axis)
+    if (p[axis] != q[axis]) return p[axis] < q[axis] ? -1 : 1;
+  for (const Attribute& attribute : mesh.attributes) {
+    const auto size = std::size_t(attribute.itemSize);
+    for (std::size_t k = 0; k < size; ++k) {
+      const float x = attribute.values[a * size + k], y = attribute.values[b * size + k];
+      if (x != y) return x < y ? -1 : 1;
+    }
+  }
+  return 0;
+}
+
+std::vector<Index> verticesInOrder(const TriangleMesh& mesh, const OwnAxes& axes) {
+  const std::vector<FloatPoint> floats = floatsOf(mesh.positions, axes);
+  std::vector<Index> order = orderInSpace(floats);
+  const auto isBefore = [&](Index a, Index b) {
+    const int side = compared(mesh, axes, a, b);
+    return side < 0 || (side == 0 && a < b);
+  };
+  for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
+    while (end < order.size() && floats[order[end]] == floats[order[begin]]) ++end;
+    std::sort(order.begin() + std::ptrdiff_t(begin), order.begin() + std::ptrdiff_t(end), isBefore);
+  }
+  return order;
+}
+
+// What is turned and put in order as one: a triangle, or both halves of a quad.
+struct OrderedFace {
+  std::array<Index, 4> corners;  // in the new order of vertices, the least first; kNone: no fourth
+  Index group;
+  Index number;  // of the given faces
+  std::uint8_t turn;
+
+  auto key() const { return std::tie(corners, group, number); }
+};
+
+OrderedFace leastFirst(std::span<const Index> corners, std::size_t step) {
+  OrderedFace face{{kNone, kNone, kNone, kNone}, 0, 0, 0};
+  std::copy(corners.begin(), corners.end(), face.corners.begin());
+  std::array<Index, 4> best = face.corners;
+  for (std::size_t turn = step; turn < corners.size(); turn += step) {
+    std::array<Index, 4> other = face.corners;
+    std::rotate_copy(corners.begin(), corners.begin() + std::ptrdiff_t(turn), corners.end(),
+                     other.begin());
+    if (other < best) best = other, face.turn = std::uint8_t(turn);
+  }
+  face.corners = best;
+  return face;
+}
+
+// A quad (a, b, c), (a, c, d) may begin at a or, cut in the same way, at c.
+std::vector<OrderedFace> facesInOrder(const TriangleMesh& mesh, const std::vector<Index>& numbers) {
+  const std::size_t halves = mesh.isQuads ? 2 : 1;
+  std::vector<OrderedFace> faces;
+  faces.reserve(mesh.triangleCount() / halves);
+  for (std::size_t t = 0; t < mesh.triangleCount(); t += halves) {
+    const auto at = [&](std::size_t k) { return numbers[mesh.indices[3 * t + k]]; };
+    const std::array<Index, 4> corners = {at(0), at(1), at(2), mesh.isQuads ? at(5) : kNone};
+    faces.push_back(leastFirst(std::span(corners).first(mesh.isQuads ? 4 : 3), halves));
+    faces.back().group = mesh.groups.empty() ? 0 : mesh.groups[t];
+    faces.back().number = Index(t / halves);
+  }
+  std::sort(faces.begin(), faces.end(),
+            [](const OrderedFace& a, const OrderedFace& b) { return a.key() < b.key(); });
+  return faces;
+}
+
+// A quad (a, b, c), (a, c, d) that begins at its third corner is (c, d, a), (c, a, b).
+void addQuad(CanonicalOrder& order, const OrderedFace& face) {
+  const Index first = 2 * face.number;
+  if (face.turn == 0) {
+    order.triangles.insert(order.triangles.end(), {first, first + 1});
+    order.turns.insert(order.turns.end(), {0, 0});
+  } else {
+    order.triangles.insert(order.triangles.end(), {first + 1, first});
+    order.turns.insert(order.turns.end(), {1, 2});
+  }
+}
+
+}  // namespace
+
+CanonicalOrder canonicalOrder(const TriangleMesh& mesh) {
+  CanonicalOrder order;
+  const OwnAxes axes(mesh);
+  order.vertices = verticesInOrder(mesh, axes);
+  order.numbers.resize(order.vertices.size());
+  for (Index v = 0; v < order.vertices.size(); ++v) {
+    const bool isSame =
+        v > 0 && compared(mesh, axes, order.vertices[v - 1], order.vertices[v]) == 0;
+    order.numbers[order.vertices[v]] = isSame ? order.numbers[order.vertices[v - 1]] : v;
+  }
+  for (const OrderedFace& face : facesInOrder(mesh, order.numbers)) {
+    if (mesh.isQuads) {
+      addQuad(order, face);
+    } else {
+      order.triangles.push_back(face.number);
+      order.turns.push_back(face.turn);
+    }
+  }
+  return order;
+}
+
+TriangleMesh inOrder(const TriangleMesh& mesh, const CanonicalOrder& order) {
+  TriangleMesh made;
+  made.isSingle = mesh.isSingle, made.isQuads = mesh.isQuads;
+  made.frame = mesh.frame, made.steps = mesh.steps;
+  for (const Index v : order.vertices) made.positions.push_back(mesh.positions[v]);
+  for (std::size_t t = 0; t < order.triangles.size(); ++t) {
+    const std::size_t first = 3 * std::size_t{order.triangles[t]};
+    for (std::size_t k = 0; k < 3; ++k)
+      made.indices.push_back(order.numbers[mesh.indices[first + (k + order.turns[t]) % 3]]);
+    if (!mesh.groups.empty()) made.groups.push_back(mesh.groups[order.triangles[t]]);
+  }
+  for (const Attribute& attribute : mesh.attributes) {
+    made.attributes.push_back({attribute.semantic, attribute.itemSize, {}});
+    std::vector<float>& values = made.attributes.back().values;
+    values.reserve(attribute.values.size());
+    for (const Index v : order.vertices) {
+      const auto at = attribute.values.begin() + std::ptrdiff_t(v) * attribute.itemSize;
+      values.insert(values.end(), at, at + attribute.itemSize);
+    }
+  }
+  return made;
+}
+
+}  // namespace remesher
