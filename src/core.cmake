@@ -157,6 +157,7 @@ set(small
   src/jobs/inspected_parts.cpp
   src/jobs/level_files.cpp
   src/jobs/mending.cpp
+  src/jobs/open_number.cpp
   src/jobs/operands.cpp
   src/jobs/part_boolean.cpp
   src/jobs/part_run.cpp

@@ -4,9 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
+#include <utility>
 
 #include "base/fires.h"
+#include "jobs/checks/crossing_check.h"
 #include "measure/hausdorff.h"
+#include "measure/mesh_report.h"
 #include "remesh/schemes/chooser.h"
 
 namespace remesher {
@@ -24,8 +28,15 @@ constexpr double kStep = 2;
 // 352 vertices keeps its needles at all 7 bounds, with a mean smallest angle of 8.9°, not 46.1°.
 constexpr double kMostOfFew = 10'000;
 
-bool hasNumber(const RemeshOptions& options) {
-  return options.vertices || options.faces || options.ratio || options.edgeLength;
+// Triangles whose smallest angles are narrower than this on average are called uneven, degrees.
+constexpr double kUneven = 25;
+
+// vertices: of isotropic triangles that keep the bound.
+Warning evenTakeMore(std::size_t vertices) {
+  return {"ISOTROPIC_TAKES_MORE",
+          "The vertices that the shape needs keep the bound, in uneven triangles. Isotropic ones "
+          "take about " +
+              std::to_string(vertices) + " vertices: ask for that number to get them."};
 }
 
 class FewestSearch {
@@ -53,29 +64,51 @@ class FewestSearch {
     return fewer(runNext());
   }
 
-  // The outcome, or the input's own triangles if these are fewer and may be taken.
+  // The outcome, or the vertices that the shape needs if these are fewer and may be taken.
   RemeshOutcome fewer(RemeshOutcome outcome) {
     const double own = ownVertices();
-    RemeshOutcome kept;
+    std::optional<RemeshOutcome> kept;
     const Rule& rule = choose(Decision::Bound, [&](Fact fact) {
       if (fact == Fact::QuadsAsked) return asked_.quads;
       if (fact == Fact::IsotropicAsked) return asked_.prefer == Prefer::Even;
       if (fact == Fact::MoreThanInput) return double(outcome.vertices) > own;
       if (fact != Fact::OwnWithinBound) return false;
-      kept = runOwn();
-      return kept.prefer == Prefer::Shape && double(kept.vertices) <= own && isWithin(kept.mesh);
+      kept = simplest();
+      return kept.has_value();
     });
     if (rule.taken == Candidate::AsMade) return outcome;
-    kept.chosen = inReport(rule);
-    return kept;
+    kept->chosen = inReport(rule);
+    if (outcome.stopped == Stopped::Target && inspectMesh(kept->mesh).minAngle.mean < kUneven)
+      kept->warnings.push_back(evenTakeMore(outcome.vertices));
+    return std::move(*kept);
   }
 
-  RemeshOutcome runOwn() {
+  // Of the vertices that the shape needs the fewest that keep the bound, to a tenth. None if not
+  // even all of the input's do.
+  std::optional<RemeshOutcome> simplest() {
     options_ = asked_;
     options_.maxError.reset();
     options_.tooFew = TooFew::Raise;
     options_.prefer = Prefer::Shape;
-    return runAt(ownVertices());
+    const double own = ownVertices();
+    std::optional<RemeshOutcome> kept;
+    double does = own + 1, fails = 0;
+    for (double next = own; next >= 1;) {
+      RemeshOutcome made = runAt(next);
+      const auto vertices = double(made.vertices);
+      const bool keeps = made.prefer == Prefer::Shape && vertices < does &&
+                         isWithin(made.mesh, Maximum::Sampled) && (!kept || isProven(made.mesh));
+      if (keeps) kept = std::move(made), does = vertices;
+      if (!kept) return kept;
+      if (!keeps) fails = next;
+      if (fails > 0 && (does <= kNearEnough * fails || does - fails <= 1)) return kept;
+      next = fails > 0 ? std::ceil(std::sqrt(fails * does)) : std::floor(does / kStep);
+    }
+    return kept;
+  }
+
+  bool isProven(const TriangleMesh& mesh) const {
+    return isWithin(mesh, Maximum::Proven) && crossingsMade(input_, mesh).empty();
   }
 
   // The number asked for, or as few more as keep the bound.
@@ -146,12 +179,12 @@ class FewestSearch {
     const double begin = done_;
     done_ = (1 + begin) / 2;
     RemeshOutcome made = remeshSurface(input_, welding_, options_, progress_.part(begin, done_));
-    if (asked_.quads && !isWithin(made.mesh)) made.stopped = Stopped::MaxError;
+    if (asked_.quads && !isWithin(made.mesh, Maximum::Sampled)) made.stopped = Stopped::MaxError;
     return made;
   }
 
-  bool isWithin(const TriangleMesh& mesh) const {
-    const DeviationBothWays found = measureDeviation(input_, mesh, Maximum::Sampled);
+  bool isWithin(const TriangleMesh& mesh, Maximum maximum) const {
+    const DeviationBothWays found = measureDeviation(input_, mesh, maximum);
     return std::max(found.toResult.maximum, found.toOriginal.maximum) <=
            *asked_.maxError / 100 * found.diagonal;
   }
@@ -168,6 +201,10 @@ class FewestSearch {
 
 }  // namespace
 
+bool hasNumber(const RemeshOptions& options) {
+  return options.vertices || options.faces || options.ratio || options.edgeLength;
+}
+
 bool asksForFewest(const RemeshOptions& options) {
   return options.maxError && options.scheme == Scheme::Best &&
          (options.quads || !hasNumber(options));
@@ -179,7 +216,11 @@ RemeshOutcome remeshToFewest(const TriangleMesh& input, Welding welding,
 }
 
 RemeshOptions optionsOfLevels(RemeshOptions options, const Report& finest) {
-  if (!asksForFewest(options)) return options;
+  const auto& notes = finest.warnings;
+  const bool isRaised = std::any_of(notes.begin(), notes.end(), [](const Warning& note) {
+    return note.code == "MORE_VERTICES_TAKEN";
+  });
+  if (!asksForFewest(options) && !isRaised) return options;
   options.vertices = Index(finest.output->vertices);
   options.faces.reset();
   options.maxError.reset();

@@ -11,18 +11,23 @@
 
 namespace remesher {
 
+// Whether the options give a number of vertices, in any way.
+bool hasNumber(const RemeshOptions& options);
+
 // Whether the options give a bound and no number (scheme best). For quads they may give a number,
 // which is raised as the bound needs: quads are not made within a bound, but measured.
 bool asksForFewest(const RemeshOptions& options);
 
 // Drafts find the number to a tenth; if no draft keeps the bound, it is the input's own number. Of
-// a raised number the outcome says MaxError, also if no number is enough.
+// a raised number the outcome says MaxError, also if no number is enough. ISOTROPIC_TAKES_MORE, if
+// the input's own triangles are taken, and uneven.
 // Throws the Errors of remeshSurface.
 RemeshOutcome remeshToFewest(const TriangleMesh& input, Welding welding,
                              const RemeshOptions& options, const Progress& progress);
 
 // The options that levels of detail take shares of. If the finest level's number was searched for,
-// they have that number and no bound, which fewer vertices would not keep.
+// or is above the input's because none was given, they have that number and no bound, which fewer
+// vertices would not keep.
 RemeshOptions optionsOfLevels(RemeshOptions options, const Report& finest);
 
 }  // namespace remesher

@@ -8,6 +8,7 @@
 #include "geometry/triangle.h"
 #include "jobs/checks/crossing_check.h"
 #include "jobs/fewest_vertices.h"
+#include "jobs/open_number.h"
 #include "jobs/part_repair.h"
 #include "measure/hausdorff.h"
 #include "measure/mesh_report.h"
@@ -33,7 +34,9 @@ RemeshOutcome runOn(PartInput part, Run remeshed, const RemeshOptions& options,
 }
 
 RemeshOutcome remeshPart(PartInput part, const RemeshOptions& options, const Progress& progress) {
-  const Run remeshed = asksForFewest(options) ? Run(remeshToFewest) : Run(remeshSurface);
+  const Run remeshed = asksForFewest(options)      ? Run(remeshToFewest)
+                       : leavesNumberOpen(options) ? Run(remeshAtOpenNumber)
+                                                   : Run(remeshSurface);
   return runOn(std::move(part), remeshed, options, progress);
 }
 
@@ -98,6 +101,7 @@ UncrossedOutcome uncrossedAsShown(const ShownMesh& part, const PartTarget& targe
   RemeshOptions options =
       target.unions.optionsOf(target.surface, target.targets.of(target.surface));
   RemeshOutcome other;
+  if (leavesNumberOpen(options)) options.vertices = Index(made.vertices);
   const auto isReplacedBy = [&](Run run, Prefer prefer) {
     options.prefer = prefer;
     other = runOn({part.mesh, Welding(part.mesh), part.place}, run, options, progress);

@@ -124,3 +124,15 @@ test('what decides where vertices lie excludes a shape that is preferred', async
   }
   await remesh(ring, { vertices: 200, prefer: 'shape', maxError: 'off', worker: false });
 });
+
+test('no number: a part gets the vertices that even triangles need, which is said', async () => {
+  const { report } = await remesh(plate(), { worker: false });
+  const { input, output, fidelity, warnings } = report;
+  assert.ok(output.vertices > input.vertices && output.vertices <= 4 * input.vertices);
+  assert.ok(output.minAngle.mean >= 40 && fidelity.hausdorff <= 0.05);
+  const { message } = warnings.find(({ code }) => code === 'MORE_VERTICES_TAKEN');
+  assert.match(message, new RegExp(`a mesh of ${input.vertices} has ${output.vertices} now`));
+  const { report: plain } = await remesh(ring, { worker: false });
+  assert.equal(plain.output.vertices, plain.input.vertices);
+  assert.deepEqual(plain.warnings, []);
+});

@@ -14,7 +14,7 @@ import { fillMenu, showInMenu } from '../panel/intake.js';
 import { announce, isAbort, showNews, showProgress } from '../panel/messages.js';
 import { modelFacts } from '../report/report_view.js';
 import { showSize } from './measures.js';
-import { clearResult, remesh, remeshToTwice, showReport } from './running.js';
+import { clearResult, remesh, remeshToEnough, showReport } from './running.js';
 
 /** @typedef {import('./page.js').Page} Page */
 /** @typedef {import('../files/files.js').PathedFile} PathedFile */
@@ -22,8 +22,8 @@ import { clearResult, remesh, remeshToTwice, showReport } from './running.js';
 
 /** Larger models wait for the button instead of starting by themselves. */
 const largestAutomatic = 150_000;
-/** For larger models a second run, with twice as many vertices, takes too long. */
-const largestTwice = 50_000;
+/** For larger models further runs, for a number that is enough, take too long. */
+const largestRaised = 50_000;
 
 /** What is known of the model, in words. @param {Page} page */
 export function showFacts({ session: { model, inspection, source } }) {
@@ -66,7 +66,7 @@ function setForm({ panel, session }, wished) {
 }
 
 /** Remeshes by the form. Where that asks for the model's own number of vertices, and these are too
- * few for even triangles, twice as many are tried, unless the address names a number.
+ * few for even triangles, as many as these need are tried, unless the address names a number.
  * @param {Page} page @param {{ wished: Values, onForm: () => void }} opening */
 async function remeshAtFirst(page, { wished, onForm }) {
   await remesh(page);
@@ -75,8 +75,8 @@ async function remeshAtFirst(page, { wished, onForm }) {
   const { vertices, prefer } = shown?.values ?? {};
   const isFree = !('vertices' in wished) && vertices === own && prefer !== 'shape'
     && !wished.purpose;
-  if (!isFree || own > largestTwice || !shown?.report.prefer?.includes('shape')) return;
-  await remeshToTwice(page, onForm);
+  if (!isFree || own > largestRaised || !shown?.report.prefer?.includes('shape')) return;
+  await remeshToEnough(page, onForm);
 }
 
 /** @param {Page} page @param {{ models: PathedFile[], items: PathedFile[] }} found */

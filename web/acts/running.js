@@ -12,7 +12,7 @@ import { mapsView } from '../report/maps_view.js';
 import { announce } from '../panel/messages.js';
 import { openExpert } from '../panel/expert.js';
 import { isRepairOnly } from '../model/purposes.js';
-import { keepsShape, reportView } from '../report/report_view.js';
+import { reportView } from '../report/report_view.js';
 import { takeawayView } from '../report/takeaway.js';
 import { verdictView } from '../report/verdict.js';
 import { scaleIn } from './measures.js';
@@ -188,15 +188,18 @@ export async function remesh(page, extra = {}) {
   announce(done(result.report.output));
 }
 
-/** Makes a result of twice as many vertices as the model has. If its triangles keep the model's
- * shape, it takes the place of all results, and its number that of the first.
+/** Makes a result with the number of vertices left open. If it has more than the model, as even
+ * triangles need, it takes the place of all results, and its number that of the first.
  * @param {Page} page @param {() => void} onForm the form has that number */
-export async function remeshToTwice(page, onForm) {
+export async function remeshToEnough(page, onForm) {
   const { session, panel } = page;
-  const vertices = 2 * (session.inspection?.input.vertices ?? 0);
-  const result = await session.attempt({ ...panel.values(), vertices });
-  if (!keepsShape(result.report)) return;
-  panel.setTwice();
+  const open = { ...panel.values() };
+  delete open.vertices;
+  const result = await session.attempt(open);
+  const { warnings, output } = result.report;
+  if (!warnings.some(({ code }) => code === 'MORE_VERTICES_TAKEN')) return;
+  panel.setEnough(output.vertices);
+  result.values = panel.values();
   onForm();
   history.replaceState(null, '', writeAddress(session.source, panel.values()));
   session.keepOnly(result);

@@ -354,9 +354,9 @@ export class Panel {
     this.setValues(Object.fromEntries(others));
   }
 
-  /** Asks for twice as many vertices as the model has, and says why. */
-  setTwice() {
-    this.#target.setTwice();
+  /** Asks for the vertices that even triangles need, and says so. @param {number} vertices */
+  setEnough(vertices) {
+    this.#target.setEnough(vertices);
   }
 
   /** @param {'idle' | 'busy' | 'drafting'} state */

@@ -30,8 +30,8 @@ export class TargetField {
   #defaultVertices = '';
   /** Whether the result has exactly the target number of vertices; else nearly. */
   #isExact = true;
-  /** Whether twice the input's number was the page's own choice. */
-  #isTwice = false;
+  /** The page's own choice of more vertices than the input has; 0: none. */
+  #enough = 0;
   #kind = element('select');
   #number = element('input', { id: 'target', type: 'number', min: '0', step: 'any',
     'aria-describedby': 'target-hint' });
@@ -120,7 +120,9 @@ export class TargetField {
     const closely = t(this.#isExact ? 'target.exactly' : 'target.nearly');
     if (!original || !share) return t(this.#isExact ? 'target.exact' : 'target.near');
     if (share === 1) return t('target.same', { closely });
-    if (share === 2 && this.#isTwice) return t('target.twice', { closely });
+    if (Number(this.#number.value) === this.#enough) {
+      return t('target.enough', { closely, times: number(share, times), count: count(original) });
+    }
     return share < 1
       ? t('target.share', { closely, share: number(share, percents), count: count(original) })
       : t('target.times', { closely, times: number(share, times), count: count(original) });
@@ -149,17 +151,18 @@ export class TargetField {
     this.#show();
   }
 
-  /** Twice the input's number, which even triangles need where the input's own are long. */
-  setTwice() {
-    this.#isTwice = true;
-    this.setValue({ vertices: 2 * this.#inputVertices });
+  /** More than the input's number, which even triangles need where the input's own are long.
+   * @param {number} vertices */
+  setEnough(vertices) {
+    this.#enough = vertices;
+    this.setValue({ vertices });
   }
 
   /** @param {number} vertices of the input @param {number} [target] the default, if known */
   setInput(vertices, target) {
     this.#inputVertices = vertices;
     this.#defaultVertices = target ?? (Math.min(vertices, largestDefault) || '');
-    this.#isTwice = false;
+    this.#enough = 0;
     this.#changeKind();
   }
 }

@@ -113,7 +113,7 @@ const seenByAnyone = 0.5;
 
 /** Whether a result is nowhere away from the original as far as anyone sees.
  * @param {Report} report */
-export const keepsShape = ({ fidelity }) => !fidelity || fidelity.hausdorff <= seenByAnyone;
+const keepsShape = ({ fidelity }) => !fidelity || fidelity.hausdorff <= seenByAnyone;
 
 /** Where shape was lost, if it was. @param {Report} report @param {() => void} onLargest */
 function loss(report, onLargest) {

@@ -65,7 +65,7 @@ export default {
   'target.same': '{closely}: so viele, wie das Original hat.',
   'target.share': '{closely}; {share} der {count} des Originals.',
   'target.times': '{closely}; das {times}-fache der {count} des Originals.',
-  'target.twice': '{closely}: doppelt so viele, wie das Original hat; gleichmäßige Dreiecke '
+  'target.enough': '{closely}: das {times}-fache der {count} des Originals; gleichmäßige Dreiecke '
     + 'brauchen sie.',
   'progress': 'Fortschritt',
   'preparing': 'Vorbereitung',

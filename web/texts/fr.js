@@ -66,8 +66,8 @@ export default {
   'target.same': '{closely} : autant que l’original.',
   'target.share': '{closely} ; {share} des {count} de l’original.',
   'target.times': '{closely} ; {times} fois les {count} de l’original.',
-  'target.twice': '{closely} : deux fois plus que l’original ; il en faut autant pour des '
-    + 'triangles réguliers.',
+  'target.enough': '{closely} : {times} fois les {count} de l’original ; il en faut autant pour '
+    + 'des triangles réguliers.',
   'progress': 'Avancement',
   'preparing': 'Préparation',
   'privacy': 'Vos fichiers ne quittent jamais cet ordinateur.',

@@ -111,7 +111,9 @@ constexpr std::array kRules = {
          {no(Fact::QuadsAsked), no(Fact::IsotropicAsked), is(Fact::MoreThanInput),
           is(Fact::OwnWithinBound)},
          Candidate::Own,
-         "The input's own triangles keep the error bound with fewer vertices."},
+         "The vertices that the shape needs keep the error bound; isotropic triangles would take "
+         "more "
+         "than the input has."},
     Rule{Decision::Bound,
          "as-made",
          {},

@@ -33,7 +33,7 @@ enum class Candidate {
   Simplified,  // the vertices of the original that its shape needs most, or its triangles divided
   Conforming,  // triangles within the original's facets, on its shape exactly
   Uncrossed,   // isotropic triangles, made again by steps that add no self-intersection
-  Own,         // the input's own triangles
+  Own,         // of the input's own vertices those that the shape needs
   MirroredQuads,
   Quads,
   Repaired,  // the surface that repair made
@@ -67,7 +67,7 @@ enum class Fact {
   MirrorsKept,  // planes mirror the input, and quads that they mirror reach the number
   PartsPaired,  // some connected part has no map to squares
   // About the result.
-  OwnWithinBound,      // the input's own triangles are fewer and keep the bound
+  OwnWithinBound,      // the input's own vertices keep the bound
   SimplifiedTaken,     // instead of isotropic triangles
   ResultUnsound,       // open, not a 2-manifold, degenerate or self-intersecting
   OriginalSound,       // none of these

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "measure/hausdorff.h"
+#include "measure/mesh_report.h"
 #include "support/parts.h"
 #include "support/shapes.h"
 
@@ -46,6 +47,8 @@ TEST_CASE("fewest vertices: no more than the input has, which keeps every bound 
     CHECK(made.stopped == Stopped::Target);
     CHECK(made.vertices <= part.positions.size());
     CHECK(measureFidelity(part, made.mesh).hausdorff <= 0.05);
+    const bool isUneven = inspectMesh(made.mesh).minAngle.mean < 25;
+    CHECK(made.warnings.empty() == !isUneven);
   }
 }
 
@@ -99,6 +102,9 @@ TEST_CASE("fewest vertices: levels of detail are shares of what was found, and n
   report.output = MeshReport{};
   report.output->vertices = 77;
   CHECK(!optionsOfLevels(options, report).vertices);
+  report.warnings.push_back({"MORE_VERTICES_TAKEN", ""});
+  CHECK(optionsOfLevels(options, report).vertices == 77);
+  report.warnings.clear();
   options.maxError = 1;
   CHECK(optionsOfLevels(options, report).vertices == 77);
   CHECK(!optionsOfLevels(options, report).maxError);

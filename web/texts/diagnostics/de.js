@@ -31,8 +31,8 @@ export default {
   'chosen.quads-paired': 'Vierecke waren verlangt; wo keine Karte aus Quadraten gelang, sind '
     + 'sie Paare von Dreiecken.',
   'chosen.quads': 'Vierecke waren verlangt.',
-  'chosen.own-triangles': 'Die eigenen Dreiecke des Originals halten die Grenze mit weniger '
-    + 'Punkten ein.',
+  'chosen.own-triangles': 'Die Punkte, die die Form braucht, halten die Grenze ein; '
+    + 'gleichmäßige Dreiecke bräuchten mehr, als das Original hat.',
   'chosen.simplified-unsound': 'Vereinfachen würde die reparierte Fläche sich selbst schneiden '
     + 'lassen.',
   'chosen.uncrossed': 'Gleichmäßige Dreiecke schnitten einander und wurden ohne das noch einmal '
@@ -63,6 +63,8 @@ export default {
   'warning.HIDDEN_LEFT_OUT': 'Was die Szene nicht zeigt, fehlt; in .glb und .gltf bleibt es da.',
   'warning.INCONSISTENT_ORIENTATION_FIXED': 'Dreiecke wurden umgedreht, damit sie zur selben Seite '
     + 'weisen wie die meisten neben ihnen.',
+  'warning.ISOTROPIC_TAKES_MORE': 'Form und Zahl der Punkte bleiben, mit ungleichmäßigen '
+    + 'Dreiecken: Gleichmäßige brauchen viel mehr Punkte. Verlangen Sie eine größere Zahl.',
   'warning.JOINT_NOT_IN_SKIN': 'Punkte hingen an Gelenken, die ihr Skelett nicht hat; diese fallen '
     + 'weg.',
   'warning.JOINTS_RELEASED': 'Kanten, an denen die Fläche zertrennt wurde, passen vielleicht nicht '
@@ -77,6 +79,8 @@ export default {
   'warning.MATERIALS_BY_NAME': 'Die Materialien behalten nur ihre Namen.',
   'warning.MAX_ERROR_EXCEEDED': 'Das Ergebnis weicht weiter ab als verlangt: die Grenze gilt für '
     + 'die ausgebesserte Fläche.',
+  'warning.MORE_VERTICES_TAKEN': 'Es war keine Zahl verlangt: So viele Punkte brauchen '
+    + 'gleichmäßige Dreiecke, die nirgends sichtbar abweichen.',
   'warning.NAME_CONTRADICTS': 'Die Datei ist etwas anderes, als ihr Name sagt; sie wird als das '
     + 'gelesen, was sie ist.',
   'warning.NON_FINITE_ATTRIBUTE': 'Unendliche Werte und solche, die keine Zahlen sind, gelten '

@@ -33,8 +33,8 @@ export default {
   'chosen.quads-paired': 'Des quadrilatères étaient demandés ; sans carte de carrés, ce sont '
     + 'des paires de triangles.',
   'chosen.quads': 'Des quadrilatères étaient demandés.',
-  'chosen.own-triangles': 'Les triangles de l’original tiennent la limite avec moins de '
-    + 'sommets.',
+  'chosen.own-triangles': 'Les sommets dont la forme a besoin tiennent la limite ; des '
+    + 'triangles réguliers en demanderaient plus que n’en a l’original.',
   'chosen.simplified-unsound': 'Simplifiée, la surface réparée se couperait elle-même.',
   'chosen.uncrossed': 'Les triangles réguliers se coupaient et ont été refaits sans cela.',
   'chosen.uncrossed-simplified': 'Les triangles réguliers se coupent ; les simplifiés, non.',
@@ -63,6 +63,8 @@ export default {
   'warning.HIDDEN_LEFT_OUT': 'Ce que la scène ne montre pas manque ; un .glb ou .gltf le garde.',
   'warning.INCONSISTENT_ORIENTATION_FIXED': 'Des triangles ont été retournés pour regarder du '
     + 'même côté que la plupart de leurs voisins.',
+  'warning.ISOTROPIC_TAKES_MORE': 'La forme et le nombre de sommets restent, avec des triangles '
+    + 'irréguliers : des triangles réguliers demandent bien plus de sommets. Demandez-en plus.',
   'warning.JOINT_NOT_IN_SKIN': 'Des points étaient liés à des articulations que leur squelette n’a '
     + 'pas ; elles disparaissent.',
   'warning.JOINTS_RELEASED': 'Des arêtes où la surface a été séparée ne se rejoignent peut-être '
@@ -78,6 +80,8 @@ export default {
   'warning.MATERIALS_BY_NAME': 'Les matériaux ne gardent que leurs noms.',
   'warning.MAX_ERROR_EXCEEDED': 'Le résultat s’écarte plus que demandé : la limite vaut pour la '
     + 'surface réparée.',
+  'warning.MORE_VERTICES_TAKEN': 'Aucun nombre n’était demandé : c’est à peu près le moins de '
+    + 'sommets pour des triangles réguliers sans écart visible.',
   'warning.NAME_CONTRADICTS': 'Le fichier n’est pas ce que dit son nom ; il est lu comme ce qu’il '
     + 'est.',
   'warning.NON_FINITE_ATTRIBUTE': 'Les valeurs infinies ou qui ne sont pas des nombres comptent '

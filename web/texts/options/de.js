@@ -23,7 +23,8 @@ export default {
   'option.quads': 'Vierecke',
   'option.exact': 'Genaue Zahl',
   'option.symmetry': 'Spiegelung',
-  'help.vertices': 'genaue Zahl der Punkte des Ergebnisses; ohne Angabe die des Originals',
+  'help.vertices': 'genaue Zahl der Punkte des Ergebnisses; ohne Angabe die des Originals, oder '
+    + 'bis zu viermal so viele, wo gleichmäßige Dreiecke sie brauchen',
   'help.faces': 'höchstens so viele Dreiecke, oder Vierecke mit --quads, so nah daran, '
     + 'wie die Fläche es zulässt',
   'help.ratio': 'die Zahl der Punkte als Anteil an denen des Originals',

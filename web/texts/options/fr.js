@@ -23,7 +23,8 @@ export default {
   'option.quads': 'Quadrilatères',
   'option.exact': 'Nombre exact',
   'option.symmetry': 'Symétrie',
-  'help.vertices': 'nombre exact de sommets du résultat ; sinon celui de l’original',
+  'help.vertices': 'nombre exact de sommets du résultat ; sinon celui de l’original, ou jusqu’à '
+    + 'quatre fois autant où des triangles réguliers le demandent',
   'help.faces': 'au plus tant de triangles, ou de quadrilatères avec --quads, aussi '
     + 'près que la surface le permet',
   'help.ratio': 'le nombre de sommets comme part de ceux de l’original',

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "jobs/open_number.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "base/fires.h"
+#include "jobs/fewest_vertices.h"
+#include "measure/hausdorff.h"
+#include "measure/mesh_report.h"
+#include "remesh/schemes/shape_comparison.h"
+
+namespace remesher {
+
+namespace {
+
+// The least mean of the smallest angles of triangles that count as isotropic, in degrees.
+constexpr double kIsotropicAngle = 40;
+// The most vertices taken, as a multiple of the input's.
+constexpr double kMostTaken = 4;
+// Of a small input more are tried, so that the message can name a number.
+constexpr double kMostTried = 10'000;
+// The ratio between a number that suffices and one that does not, at which the search ends.
+constexpr double kNearNumber = 1.2;
+
+// Whether the triangles are isotropic, and nowhere seen to be away.
+bool isIsotropic(const TriangleMesh& input, const RemeshOutcome& made) {
+  if (made.stopped != Stopped::Target || inspectMesh(made.mesh).minAngle.mean < kIsotropicAngle)
+    return false;
+  const DeviationBothWays found = measureDeviation(input, made.mesh, Maximum::Sampled);
+  return std::max(found.toResult.maximum, found.toOriginal.maximum) <= kSeen * found.diagonal;
+}
+
+Warning moreTaken(std::size_t vertices, std::size_t own) {
+  return {"MORE_VERTICES_TAKEN",
+          "No number of vertices was given: a mesh of " + std::to_string(own) + " has " +
+              std::to_string(vertices) +
+              " now, about the fewest of isotropic triangles within 0.05 % of the diagonal."};
+}
+
+// enough: a number that suffices, 0 if none is known.
+Warning takesMore(double enough, std::size_t own) {
+  const std::string number = enough > 0 ? "about " + std::to_string(std::size_t(enough)) +
+                                              " vertices: ask for that number to get them."
+                                        : std::string("more than four times as many.");
+  return {"ISOTROPIC_TAKES_MORE",
+          "No number of vertices was given: a mesh of " + std::to_string(own) +
+              " keeps its number, its shape and uneven triangles. Isotropic ones within 0.05 % of "
+              "the diagonal take " +
+              number};
+}
+
+class OpenNumber {
+ public:
+  OpenNumber(const TriangleMesh& input, const Welding& welding, const RemeshOptions& asked,
+             const Progress& progress)
+      : input_(input), welding_(welding), asked_(asked), progress_(progress) {}
+
+  RemeshOutcome run() {
+    RemeshOutcome own = remeshSurface(input_, welding_, asked_, progress_);
+    if (own.prefer == Prefer::Even || isIsotropic(input_, own)) return own;
+    const auto places = double(own.vertices);
+    double enough = fewestDrafted(places);
+    for (double next = enough; next > 0 && next <= kMostTaken * places; next *= kNearNumber) {
+      RemeshOutcome more = runAt(next, asked_.quality);
+      if (!isIsotropic(input_, more)) continue;
+      more.warnings.push_back(moreTaken(more.vertices, own.vertices));
+      return more;
+    }
+    fires("open number: more would be needed than may be taken");
+    if (enough <= kMostTaken * places) enough = 0;
+    own.warnings.push_back(takesMore(enough, own.vertices));
+    return own;
+  }
+
+ private:
+  // About the fewest vertices of a draft that is isotropic; 0 if none was found.
+  double fewestDrafted(double own) const {
+    double fails = own, does = 2 * own;
+    while (!isDraftIsotropic(does)) {
+      fails = std::exchange(does, 2 * does);
+      if (does > std::max(kMostTaken * own, kMostTried)) return 0;
+    }
+    while (does > kNearNumber * fails && does - fails > 1) {
+      const double between = std::ceil(std::sqrt(fails * does));
+      (isDraftIsotropic(between) ? does : fails) = between;
+    }
+    return does;
+  }
+
+  bool isDraftIsotropic(double vertices) const {
+    return isIsotropic(input_, runAt(vertices, Quality::Draft));
+  }
+
+  // The number of runs is unknown: after the first, progress stands at its end.
+  RemeshOutcome runAt(double vertices, Quality quality) const {
+    RemeshOptions options = asked_;
+    options.vertices = Index(std::ceil(vertices));
+    options.quality = quality;
+    return remeshSurface(input_, welding_, options, progress_.part(1, 1));
+  }
+
+  const TriangleMesh& input_;
+  const Welding& welding_;
+  const RemeshOptions& asked_;
+  const Progress& progress_;
+};
+
+}  // namespace
+
+bool leavesNumberOpen(const RemeshOptions& options) {
+  return !hasNumber(options) && !options.maxError && options.scheme == Scheme::Best &&
+         options.prefer == Prefer::Auto && options.repair == Repair::Off && !options.quads &&
+         options.bodies.empty();
+}
+
+RemeshOutcome remeshAtOpenNumber(const TriangleMesh& input, Welding welding,
+                                 const RemeshOptions& options, const Progress& progress) {
+  return OpenNumber(input, welding, options, progress).run();
+}
+
+}  // namespace remesher
