@@ -107,10 +107,10 @@ std::vector<io::Part> applied(const PartScale& scale, const std::vector<io::Part
 // "12.5 across near (1, 2, 3)", of a few.
 std::string inWords(const std::vector<SizedPlace>& places, const std::vector<io::Part>& parts) {
   constexpr std::size_t kNamed = 3;
-  constexpr int kDigits = 3;
+  constexpr int kShareDigits = 3;
   std::string words;
   for (std::size_t i = 0; i < std::min(kNamed, places.size()); ++i)
-    words += (i > 0 ? ", " : "") + inDigits(places[i].across, kDigits) + " near (" +
+    words += (i > 0 ? ", " : "") + inDigits(places[i].across, kShareDigits) + " near (" +
              placeInWords(places[i].at, parts) + ")";
   return words;
 }

@@ -25,7 +25,7 @@ constexpr std::size_t kFewestVertices = 4;
 constexpr double kBytesPerVertex = 600, kBytesPerInputVertex = 1200;
 
 // Digits of numbers in messages.
-constexpr int kDigits = 6;
+constexpr int kShownDigits = 6;
 
 // `10.2 M`, or all digits of a small number.
 std::string inMillions(double count) {
@@ -47,7 +47,7 @@ void checkDensity(const std::vector<float>& density, std::size_t inputVertices) 
           "Give one value for each input vertex.");
   for (std::size_t i = 0; i < density.size(); ++i)
     require(std::isfinite(density[i]) && density[i] >= 0,
-            "density[" + std::to_string(i) + "] is " + inDigits(density[i], kDigits) + ".",
+            "density[" + std::to_string(i) + "] is " + inDigits(density[i], kShownDigits) + ".",
             "Densities are finite numbers of at least 0.");
   require(*std::max_element(density.begin(), density.end()) > 0, "density is 0 everywhere.",
           "Give at least one value above 0; only their ratios count.");
@@ -99,11 +99,11 @@ TooFewVertices::TooFewVertices(ErrorCode errorCode, const VertexNeeds& needs)
 
 void checkOptions(const RemeshOptions& options, std::size_t inputVertices) {
   require(options.gradation > 1,
-          "gradation is " + inDigits(options.gradation, kDigits) + ", not above 1.",
+          "gradation is " + inDigits(options.gradation, kShownDigits) + ", not above 1.",
           "Sizes need room to change: 1.5 is usual.");
   const double adaptivity = options.adaptivity.value_or(0);
   require(adaptivity >= 0 && adaptivity <= 1,
-          "adaptivity is " + inDigits(adaptivity, kDigits) + ", not between 0 and 1.",
+          "adaptivity is " + inDigits(adaptivity, kShownDigits) + ", not between 0 and 1.",
           "0 gives even triangles, 1 follows curvature fully.");
   require(!options.weld || *options.weld > 0, "weld is not above 0.",
           "It is in percent of the diagonal; leave it out to join nothing more.");
