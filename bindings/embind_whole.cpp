@@ -21,17 +21,19 @@ namespace {
 
 using emscripten::val;
 
+val fileResult(const RemeshFileResult& run) {
+  val result = val::object();
+  result.set("files", objectFrom(run.files));
+  if (!run.pictures.empty()) result.set("pictures", objectFrom(run.pictures));
+  result.set("report", objectFrom(run.report));
+  return result;
+}
+
 // request: { name, bytes, resources, output }
 val remeshBytes(const val& request, const val& options, const val& onProgress) {
   return guarded([&] {
-    const RemeshFileResult run =
-        remeshFile(bundleFrom(request), request["output"].as<std::string>(), optionsFrom(options),
-                   progressFrom(onProgress));
-    val result = val::object();
-    result.set("files", objectFrom(run.files));
-    if (!run.pictures.empty()) result.set("pictures", objectFrom(run.pictures));
-    result.set("report", objectFrom(run.report));
-    return result;
+    return fileResult(remeshFile(bundleFrom(request), request["output"].as<std::string>(),
+                                 optionsFrom(options), progressFrom(onProgress)));
   });
 }
 
@@ -48,14 +50,8 @@ val repairArrays(const val& mesh, const val& options, const val& onProgress) {
 // request: { name, bytes, resources, output }
 val repairBytes(const val& request, const val& options, const val& onProgress) {
   return guarded([&] {
-    const RemeshFileResult run =
-        repairFile(bundleFrom(request), request["output"].as<std::string>(), optionsFrom(options),
-                   progressFrom(onProgress));
-    val result = val::object();
-    result.set("files", objectFrom(run.files));
-    if (!run.pictures.empty()) result.set("pictures", objectFrom(run.pictures));
-    result.set("report", objectFrom(run.report));
-    return result;
+    return fileResult(repairFile(bundleFrom(request), request["output"].as<std::string>(),
+                                 optionsFrom(options), progressFrom(onProgress)));
   });
 }
 
@@ -101,6 +97,46 @@ val booleanOfFiles(const val& request, const val& onProgress) {
   });
 }
 
+// request: { high, low }, two meshes
+val bakeArrays(const val& request, const val& options, const val& onProgress) {
+  return guarded([&] {
+    const BakeResult run = bake(meshFrom(request["high"]), meshFrom(request["low"]),
+                                optionsFrom(options), progressFrom(onProgress));
+    val result = val::object();
+    result.set("meshes", objectFrom(std::vector<TriangleMesh>{run.mesh}));
+    result.set("maps", objectFrom(run.maps));
+    result.set("report", objectFrom(run.report));
+    return result;
+  });
+}
+
+// request: { high, low, output }, two of { name, bytes, resources }
+val bakeBytes(const val& request, const val& options, const val& onProgress) {
+  return guarded([&] {
+    return fileResult(bakeFiles(bundleFrom(request["high"]), bundleFrom(request["low"]),
+                                request["output"].as<std::string>(), optionsFrom(options),
+                                progressFrom(onProgress)));
+  });
+}
+
+val unwrapArrays(const val& mesh, const val& options, const val& onProgress) {
+  return guarded([&] {
+    const UnwrapResult run = unwrap(meshFrom(mesh), optionsFrom(options), progressFrom(onProgress));
+    val result = val::object();
+    result.set("meshes", objectFrom(std::vector<TriangleMesh>{run.mesh}));
+    result.set("report", objectFrom(run.report));
+    return result;
+  });
+}
+
+// request: { name, bytes, resources, output }
+val unwrapBytes(const val& request, const val& options, const val& onProgress) {
+  return guarded([&] {
+    return fileResult(unwrapFile(bundleFrom(request), request["output"].as<std::string>(),
+                                 optionsFrom(options), progressFrom(onProgress)));
+  });
+}
+
 // request: { name, bytes, resources, output }
 val convertBytes(const val& request) {
   return guarded([&] {
@@ -140,6 +176,19 @@ val writtenDrop(const DropReport& dropped) {
   result.set("lost", dropped.lost);
   result.set("piecesAt", sizedPlaces(dropped.piecesAt));
   result.set("hiddenAt", coordinatesOf(dropped.hiddenAt));
+  return result;
+}
+
+val writtenAtlas(const AtlasReport& atlas) {
+  val result = val::object();
+  result.set("size", double(atlas.size));
+  result.set("charts", double(atlas.charts));
+  result.set("given", atlas.isGiven);
+  result.set("coverage", atlas.coverage);
+  result.set("stretch", atlas.stretch);
+  result.set("worstStretch", atlas.worstStretch);
+  if (atlas.cage > 0) result.set("cage", atlas.cage);
+  if (atlas.cage > 0) result.set("notFound", atlas.notFound);
   return result;
 }
 
@@ -253,11 +302,16 @@ EMSCRIPTEN_BINDINGS(remesher_whole) {
   readWholeOptions = &readRest;
   repairInJs = &writtenRepair;
   droppedInJs = &writtenDrop;
+  atlasInJs = &writtenAtlas;
   emscripten::function("repair", &repairArrays);
   emscripten::function("remeshFile", &remeshBytes);
   emscripten::function("repairFile", &repairBytes);
   emscripten::function("boolean", &booleanOfArrays);
   emscripten::function("booleanFiles", &booleanOfFiles);
+  emscripten::function("bake", &bakeArrays);
+  emscripten::function("bakeFile", &bakeBytes);
+  emscripten::function("unwrap", &unwrapArrays);
+  emscripten::function("unwrapFile", &unwrapBytes);
   emscripten::function("convertFile", &convertBytes);
   emscripten::function("inspectClosely", &inspectClosely);
   emscripten::function("inspectFile", &inspectBytes);

@@ -44,6 +44,8 @@ void forEachWholeOption(Options& options, const Visit& visit) {
   visit("symmetry", options.symmetry);
   visit("textureSize", options.textureSize);
   visit("textureFormat", options.textureFormat);
+  visit("cage", options.cage);
+  visit("ao", options.ao);
   visit("holesUpTo", options.holesUpTo);
   visit("gap", options.gap);
   visit("cavities", options.cavities);

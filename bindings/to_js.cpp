@@ -16,6 +16,7 @@ using emscripten::val;
 
 val (*repairInJs)(const RepairReport& repair) = nullptr;
 val (*droppedInJs)(const DropReport& dropped) = nullptr;
+val (*atlasInJs)(const AtlasReport& atlas) = nullptr;
 
 namespace {
 
@@ -197,6 +198,7 @@ val objectFrom(const Report& report) {
   if (report.fidelity) result.set("fidelity", objectFrom(*report.fidelity));
   if (report.repair && repairInJs) result.set("repair", repairInJs(*report.repair));
   if (report.dropped && droppedInJs) result.set("dropped", droppedInJs(*report.dropped));
+  if (report.atlas && atlasInJs) result.set("atlas", atlasInJs(*report.atlas));
   if (!report.prefer.empty()) result.set("prefer", ofParts(report.prefer));
   if (!report.chosen.empty()) result.set("chosen", ofParts(report.chosen));
   result.set("timings", objectFrom(report.timings));

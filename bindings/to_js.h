@@ -27,5 +27,6 @@ emscripten::val objectFrom(const Report& report);
 // Writes what only the whole engine reports; there it is set.
 extern emscripten::val (*repairInJs)(const RepairReport& repair);
 extern emscripten::val (*droppedInJs)(const DropReport& dropped);
+extern emscripten::val (*atlasInJs)(const AtlasReport& atlas);
 
 }  // namespace remesher

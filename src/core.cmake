@@ -66,7 +66,10 @@ set(linear
   src/repair/solid/clean_up.cpp
   src/simplify/attribute_quadrics.cpp
   src/simplify/simplify.cpp
+  src/textures/painting/cage_finder.cpp
   src/textures/painting/canvas.cpp
+  src/textures/painting/line_search.cpp
+  src/textures/painting/occlusion.cpp
   src/textures/painting/paint_source.cpp
   src/textures/painting/painter.cpp
   src/textures/painting/side_finder.cpp
@@ -84,6 +87,7 @@ set(small
   src/base/phase_clock.cpp
   src/base/place.cpp
   src/base/triangle_mesh.cpp
+  src/bake.cpp
   src/boolean.cpp
   src/find_faults.cpp
   src/geometry/extent.cpp
@@ -146,6 +150,7 @@ set(small
   src/io/text/off.cpp
   src/io/text/text_writer.cpp
   src/io/text/xml_scanner.cpp
+  src/jobs/bake_run.cpp
   src/jobs/baking.cpp
   src/jobs/bare_materials.cpp
   src/jobs/checks/crossing_check.cpp
@@ -329,12 +334,17 @@ set(small
   src/repair/united.cpp
   src/repair_file.cpp
   src/simplify/divide.cpp
+  src/textures/atlas_painting.cpp
+  src/textures/bake_onto.cpp
+  src/textures/charts/atlas_figures.cpp
   src/textures/charts/chart_growth.cpp
   src/textures/charts/chart_joining.cpp
   src/textures/charts/chart_overlap.cpp
   src/textures/charts/chart_packing.cpp
   src/textures/charts/chart_relaxing.cpp
   src/textures/charts/unwrap.cpp
+  src/textures/new_texcoords.cpp
+  src/textures/painting/corner_values.cpp
   src/textures/painting/look_borders.cpp
   src/textures/painting/new_surface.cpp
   src/textures/painting/paint_source_setup.cpp

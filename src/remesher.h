@@ -99,6 +99,34 @@ BooleanFilesResult booleanFiles(const FileBundle& a, const FileBundle& b,
                                 BooleanOperation operation, const std::string& outputName,
                                 const Progress& progress = {});
 
+struct BakeResult {
+  TriangleMesh mesh;           // the low mesh with texture coordinates, normals and tangents
+  std::vector<Picture> maps;   // baseColor, surface, emissive, normal: those that are needed
+  Report report;               // of the low mesh, with its atlas; without distances
+};
+
+// Paints one mesh onto another: its colours and, as normals, its shape. The low mesh keeps its
+// vertices, in their order (copies on seams follow behind), its triangles, and its texture
+// coordinates if they are unique; else it gets new ones. Of the options those for textures, `cage`
+// and `ao` count.
+BakeResult bake(const TriangleMesh& high, const TriangleMesh& low, const RemeshOptions& options,
+                const Progress& progress = {});
+// The same of all that one file shows onto the meshes of another, written as glTF.
+RemeshFileResult bakeFiles(FileBundle high, const FileBundle& low, const std::string& outputName,
+                           const RemeshOptions& options, const Progress& progress = {});
+
+struct UnwrapResult {
+  TriangleMesh mesh;
+  Report report;  // with its atlas; without distances
+};
+
+// New texture coordinates, as TEXCOORD_0; vertices and triangles stay as above. Of the options
+// `textureSize` counts.
+UnwrapResult unwrap(const TriangleMesh& mesh, const RemeshOptions& options,
+                    const Progress& progress = {});
+RemeshFileResult unwrapFile(const FileBundle& input, const std::string& outputName,
+                            const RemeshOptions& options, const Progress& progress = {});
+
 struct ConvertFileResult {
   std::vector<File> files;  // as above
   std::vector<Warning> warnings;

@@ -10,6 +10,7 @@ add_executable(unit_tests
   tests/unit/base/patience_test.cpp
   tests/unit/base/phase_clock_test.cpp
   tests/unit/base/place_test.cpp
+  tests/unit/bake_test.cpp
   tests/unit/boolean_test.cpp
   tests/unit/geometry/extent_test.cpp
   tests/unit/geometry/fast_trigonometry_test.cpp
@@ -199,9 +200,16 @@ add_executable(unit_tests
   tests/unit/repair/stitch_test.cpp
   tests/unit/simplify/divide_test.cpp
   tests/unit/simplify/simplify_test.cpp
+  tests/unit/textures/bake_onto_test.cpp
+  tests/unit/textures/charts/atlas_figures_test.cpp
   tests/unit/textures/charts/unwrap_test.cpp
+  tests/unit/textures/new_texcoords_test.cpp
+  tests/unit/textures/painting/cage_finder_test.cpp
   tests/unit/textures/painting/canvas_test.cpp
+  tests/unit/textures/painting/corner_values_test.cpp
+  tests/unit/textures/painting/line_search_test.cpp
   tests/unit/textures/painting/look_borders_test.cpp
+  tests/unit/textures/painting/occlusion_test.cpp
   tests/unit/textures/painting/painter_test.cpp
   tests/unit/textures/painting/place_search_test.cpp
   tests/unit/textures/painting/side_finder_test.cpp

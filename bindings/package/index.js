@@ -7,6 +7,11 @@ import * as platform from './platform_browser.js';
 
 /**
  * The types of all inputs and results.
+ * @typedef {import('./api/api.js').AtlasFileResult} AtlasFileResult
+ * @typedef {import('./api/api.js').BakeFileOptions} BakeFileOptions
+ * @typedef {import('./api/api.js').BakeOptions} BakeOptions
+ * @typedef {import('./api/api.js').BakeResult} BakeResult
+ * @typedef {import('./api/api.js').BakedMap} BakedMap
  * @typedef {import('./api/api.js').BooleanFilesResult} BooleanFilesResult
  * @typedef {import('./api/api.js').BooleanResult} BooleanResult
  * @typedef {import('./api/api.js').ConvertFileResult} ConvertFileResult
@@ -19,12 +24,16 @@ import * as platform from './platform_browser.js';
  * @typedef {import('./api/arrays_api.js').RemeshSceneResult} RemeshSceneResult
  * @typedef {import('./api/api.js').RepairOptions} RepairOptions
  * @typedef {import('./api/api.js').RepairResult} RepairResult
+ * @typedef {import('./api/api.js').UnwrapOptions} UnwrapOptions
+ * @typedef {import('./api/api.js').UnwrapResult} UnwrapResult
  * @typedef {import('./api/arrays_api.js').WasmSource} WasmSource
  * @typedef {import('./api/client.js').RunOptions} RunOptions
  * @typedef {import('./api/inputs.js').Bytes} Bytes
  * @typedef {import('./api/inputs.js').FileOptions} FileOptions
  * @typedef {import('./api/inputs.js').OutputOptions} OutputOptions
  * @typedef {import('./base/errors.js').ErrorCode} ErrorCode
+ * @typedef {import('./base/messages.js').AtlasReport} AtlasReport
+ * @typedef {import('./base/messages.js').AtlasSummary} AtlasSummary
  * @typedef {import('./base/messages.js').BooleanOperation} BooleanOperation
  * @typedef {import('./base/messages.js').BooleanReport} BooleanReport
  * @typedef {import('./base/messages.js').BooleanSummary} BooleanSummary
@@ -185,6 +194,74 @@ export function boolean(a, b, operation, options) {
  */
 export function booleanFiles(a, b, operation, options) {
   return api.booleanFiles(a, b, operation, options);
+}
+
+/**
+ * Paints one mesh onto another: its colours, and its shape as a normal map. The low mesh keeps its
+ * triangles and its vertices, in their order; its texture coordinates too, unless they overlap:
+ * then, or if it has none, it gets new ones. The arrays are copied, and stay the caller's.
+ *
+ * @example
+ * const { mesh, maps } = await bake(sculpture, lowPoly, { textureSize: 1024 });
+ *
+ * @param {Mesh} high The mesh to paint from; `COLOR_0` becomes `maps.baseColor`.
+ * @param {Mesh} low The mesh to paint onto.
+ * @param {BakeOptions & RunOptions} [options] How to paint, and how to run.
+ * @returns {Promise<BakeResult>} The low mesh with texture coordinates, and its maps. Rejects with
+ *   a {@link RemeshError}.
+ */
+export function bake(high, low, options) {
+  return api.bake(high, low, options);
+}
+
+/**
+ * Paints all that one file shows onto the meshes of another: colours, roughness and metal, light,
+ * normals. The result is the low file as glTF.
+ *
+ * @example
+ * const { bytes } = await bakeFile(high, low, { name: 'high.glb', nameLow: 'low.obj' });
+ *
+ * @param {Bytes} high The file to paint from.
+ * @param {Bytes} low The file to paint onto.
+ * @param {BakeOptions & BakeFileOptions & OutputOptions & RunOptions} [options] How to paint, the
+ *   files' names, the result's name, and how to run.
+ * @returns {Promise<AtlasFileResult>} The new file and a report. Rejects with a
+ *   {@link RemeshError}.
+ */
+export function bakeFile(high, low, options) {
+  return api.bakeFile(high, low, options);
+}
+
+/**
+ * Gives a mesh new texture coordinates, as `TEXCOORD_0`: charts without overlap in one square. Its
+ * triangles stay, and its vertices in their order, before copies of those on seams. The arrays are
+ * copied, and stay the caller's.
+ *
+ * @example
+ * const { mesh, report } = await unwrap({ positions, indices });
+ *
+ * @param {Mesh} mesh The surface, as remesh takes it.
+ * @param {UnwrapOptions & RunOptions} [options] The size of the square, and how to run.
+ * @returns {Promise<UnwrapResult>} The mesh and a report. Rejects with a {@link RemeshError}.
+ */
+export function unwrap(mesh, options) {
+  return api.unwrap(mesh, options);
+}
+
+/**
+ * Gives a file new texture coordinates: all its meshes together, in one square.
+ *
+ * @example
+ * const { bytes } = await unwrapFile(file, { name: 'low.obj', output: 'obj' });
+ *
+ * @param {Bytes} bytes The file.
+ * @param {UnwrapOptions & FileOptions & OutputOptions & RunOptions} [options] The size of the
+ *   square, the file's name, the result's name, and how to run.
+ * @returns {Promise<AtlasFileResult>} The new file and a report. Rejects with a
+ *   {@link RemeshError}.
+ */
+export function unwrapFile(bytes, options) {
+  return api.unwrapFile(bytes, options);
 }
 
 /**

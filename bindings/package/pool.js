@@ -138,6 +138,60 @@ export class Pool {
   }
 
   /**
+   * Paints one mesh onto another, as the package's function does.
+   *
+   * @param {Package.Mesh} high The mesh to paint from.
+   * @param {Package.Mesh} low The mesh to paint onto.
+   * @param {Package.BakeOptions & Package.RunOptions} [options] How to paint, and how to run.
+   * @returns {Promise<Package.BakeResult>} The low mesh with texture coordinates, and its maps.
+   *   Rejects with a `RemeshError`.
+   */
+  bake(high, low, options) {
+    return this.#pool.bake(high, low, options);
+  }
+
+  /**
+   * Paints one file onto another, as the package's function does.
+   *
+   * @param {Package.Bytes} high The file to paint from.
+   * @param {Package.Bytes} low The file to paint onto.
+   * @param {Package.BakeOptions & Package.BakeFileOptions & Package.OutputOptions
+   *   & Package.RunOptions} [options] How to paint, the files' names, the result's name, and how to
+   *   run.
+   * @returns {Promise<Package.AtlasFileResult>} The new file and a report. Rejects with a
+   *   `RemeshError`.
+   */
+  bakeFile(high, low, options) {
+    return this.#pool.bakeFile(high, low, options);
+  }
+
+  /**
+   * Gives a mesh new texture coordinates, as the package's function does.
+   *
+   * @param {Package.Mesh} mesh The surface.
+   * @param {Package.UnwrapOptions & Package.RunOptions} [options] The size of the square, and how
+   *   to run.
+   * @returns {Promise<Package.UnwrapResult>} The mesh and a report. Rejects with a `RemeshError`.
+   */
+  unwrap(mesh, options) {
+    return this.#pool.unwrap(mesh, options);
+  }
+
+  /**
+   * Gives a file new texture coordinates, as the package's function does.
+   *
+   * @param {Package.Bytes} bytes The file.
+   * @param {Package.UnwrapOptions & Package.FileOptions & Package.OutputOptions
+   *   & Package.RunOptions} [options] The size of the square, the file's name, the result's name,
+   *   and how to run.
+   * @returns {Promise<Package.AtlasFileResult>} The new file and a report. Rejects with a
+   *   `RemeshError`.
+   */
+  unwrapFile(bytes, options) {
+    return this.#pool.unwrapFile(bytes, options);
+  }
+
+  /**
    * Writes a file in another format, as the package's function does.
    *
    * @param {Package.Bytes} bytes The file.

@@ -86,6 +86,8 @@ struct RemeshOptions {
   Textures textures = Textures::Auto;  // for files
   std::optional<Index> textureSize;    // texels along a side
   std::optional<TextureFormat> textureFormat;
+  std::optional<double> cage;  // of baking onto a mesh: how far is looked, percent of the diagonal
+  bool ao = false;             // ambient occlusion is baked, too
   Repair repair = Repair::Off;
   std::optional<double> holesUpTo;  // the longest loop to be closed, percent of the diagonal
   std::optional<double> gap;  // the widest opening that repair closes, percent of the diagonal

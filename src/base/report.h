@@ -162,6 +162,18 @@ struct DropReport {
   std::vector<Vec3> hiddenAt;        // a corner of some of the triangles
 };
 
+// Texture coordinates, and the maps that were painted for them.
+struct AtlasReport {
+  Index size = 0;          // texels along a side
+  std::size_t charts = 0;  // pieces that no texture coordinates connect
+  bool isGiven = false;    // the mesh's own texture coordinates
+  double coverage = 0;     // percent of the square
+  double stretch = 0;      // the root mean square of lengths on the surface per length in the square
+  double worstStretch = 0;  // the largest; both relative to an even map
+  double notFound = 0;      // percent of the texels for which nothing to paint was found
+  double cage = 0;          // how far it was looked for, percent of the diagonal; 0: nowhere
+};
+
 // The row of the chooser that took the resulting mesh; src/README.md lists the rows.
 struct Chosen {
   std::string rule;
@@ -176,6 +188,7 @@ struct Report {
   std::optional<FidelityReport> fidelity;
   std::optional<RepairReport> repair;  // only if requested
   std::optional<DropReport> dropped;   // likewise
+  std::optional<AtlasReport> atlas;    // of baking onto a mesh, and of unwrapping
   Timings timings;
   std::vector<Phase> phases;  // in order; together they make up the run
   std::uint64_t peakBytes = 0;

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <span>
 #include <utility>
 #include <vector>
@@ -32,6 +33,12 @@ struct Box {
   bool overlaps(const Box& other) const {
     return (low.array() <= other.high.array()).all() && (high.array() >= other.low.array()).all();
   }
+};
+
+// The part of a line between two parameters; direction: unit.
+struct Stretch {
+  Vec3 from, direction;
+  double begin, end;
 };
 
 class TriangleTree {
@@ -63,6 +70,11 @@ class TriangleTree {
   // Calls visit(triangle) for each triangle whose bounding box has a point in common with `box`.
   template <class Visit>
   void visitOverlapping(const Box& box, Visit&& visit) const;
+
+  // Calls visit(triangle) for each triangle whose bounding box the stretch of a line may touch.
+  // visit returns how much of the stretch is still of interest.
+  template <class Visit>
+  void visitAlong(const Stretch& stretch, Visit&& visit) const;
 
   // Calls visit(s, t) once for each pair of triangles whose bounding boxes, rounded outwards to
   // floats, have a point in common.
@@ -188,6 +200,45 @@ void TriangleTree::visitOverlapping(const Box& box, Visit&& visit) const {
         stack[top++] = {next.level - 1, member, 0};
       else if (boxOf(order_[member]).overlaps(box))
         visit(order_[member]);
+    }
+  }
+}
+
+template <class Visit>
+void TriangleTree::visitAlong(const Stretch& stretch, Visit&& visit) const {
+  if (levels_.empty()) return;
+  constexpr float kSlack = 1e-5f;  // for rounding; relative to the box
+  constexpr double kLeast = 1e-20;
+  const float slack = kSlack * float((box_.high - box_.low).norm());
+  const Lanes from = inFloats(stretch.from);
+  std::array<float, 3> inverse{};
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    const double d = stretch.direction[axis];
+    inverse[std::size_t(axis)] = float(1 / (std::abs(d) > kLeast ? d : kLeast));
+  }
+  std::array<Pending, 4 * kDeepest> stack;
+  std::size_t top = 0;
+  double end = stretch.end;
+  stack[top++] = {static_cast<Index>(levels_.size() - 1), 0, 0};
+  while (top > 0) {
+    const Pending next = stack[--top];
+    const Group& group = levels_[next.level][next.group];
+    Lanes enters = Lanes::Constant(float(stretch.begin)), leaves = Lanes::Constant(float(end));
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const float at = from[Eigen::Index(axis)];
+      const Lanes a = (group.low[axis] - at - slack) * inverse[axis];
+      const Lanes b = (group.high[axis] - at + slack) * inverse[axis];
+      enters = enters.max(a.min(b));
+      leaves = leaves.min(a.max(b));
+    }
+    for (Index k = 0; k < 4; ++k) {
+      const bool isMissing = group.low[0][k] > group.high[0][k];
+      if (isMissing || !(enters[k] <= leaves[k]) || !(enters[k] <= float(end))) continue;
+      const Index member = 4 * next.group + k;
+      if (next.level > 0)
+        stack[top++] = {next.level - 1, member, 0};
+      else
+        end = visit(order_[member]);
     }
   }
 }

@@ -39,12 +39,13 @@ struct Format {
 };
 
 constexpr Format kFormats[] = {
-    {".glb", "a GLB", readGltf, writeGlb, kHoldsParts | kHoldsMeshes | kHoldsScenes | kHoldsImages},
+    {".glb", "a GLB", readGltf, writeGlb,
+     kHoldsParts | kHoldsMeshes | kHoldsScenes | kHoldsImages | kHoldsTexcoords},
     {".gltf", "a glTF", readGltf, writeGltf,
-     kHoldsParts | kHoldsMeshes | kHoldsScenes | kHoldsImages},
-    {".obj", "an OBJ", readObj, writeObj, kHoldsParts | kHoldsDoubles},
-    {".off", "an OFF", readOff, writeOff, kHoldsDoubles},
-    {".ply", "a PLY", readPly, writePly, kHoldsDoubles},
+     kHoldsParts | kHoldsMeshes | kHoldsScenes | kHoldsImages | kHoldsTexcoords},
+    {".obj", "an OBJ", readObj, writeObj, kHoldsParts | kHoldsDoubles | kHoldsTexcoords},
+    {".off", "an OFF", readOff, writeOff, kHoldsDoubles | kHoldsTexcoords},
+    {".ply", "a PLY", readPly, writePly, kHoldsDoubles | kHoldsTexcoords},
     {".stl", "an STL", readStl, writeStl, 0},
     {".3mf", "a 3MF", readThreemf, writeThreemf, kHoldsParts | kHoldsMeshes | kHoldsDoubles},
     {".msh", "a Gmsh file", readGmsh, writeGmsh, kHoldsParts | kHoldsDoubles},

@@ -29,6 +29,7 @@ enum Holds : unsigned {
   kHoldsDoubles = 4,
   kHoldsParts = 8,
   kHoldsMeshes = 16,  // parts with vertices of their own, which no reader joins
+  kHoldsTexcoords = 32,
 };
 
 // Whether a file of this name can hold that.

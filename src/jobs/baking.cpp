@@ -33,7 +33,16 @@ void requirePaint(const io::Model& model) {
               "Give an OBJ with its material library, or convert it to .glb with its textures.");
 }
 
-// Requires all images that materials name; for glTF, the decoder of the images checks this.
+Repaint repaintOf(io::Model& model, PaintInput paint) {
+  requirePaint(model);
+  requireImages(model, paint.pictures);
+  std::erase_if(model.warnings,
+                [](const Warning& w) { return w.code == "MATERIAL_IMAGES_NOT_READ"; });
+  return Repaint(model, std::move(paint.given), imagesFrom(std::move(paint.pictures)));
+}
+
+}  // namespace
+
 void requireImages(const io::Model& model, const std::vector<Picture>& pictures) {
   if (model.conventions == io::Conventions::Gltf) return;
   const auto require = [&](const io::Map& map) {
@@ -56,16 +65,6 @@ std::vector<io::NamedImage> imagesFrom(std::vector<Picture> pictures) {
         {std::move(picture.name), {picture.width, picture.height, std::move(picture.texels)}});
   return images;
 }
-
-Repaint repaintOf(io::Model& model, PaintInput paint) {
-  requirePaint(model);
-  requireImages(model, paint.pictures);
-  std::erase_if(model.warnings,
-                [](const Warning& w) { return w.code == "MATERIAL_IMAGES_NOT_READ"; });
-  return Repaint(model, std::move(paint.given), imagesFrom(std::move(paint.pictures)));
-}
-
-}  // namespace
 
 void requireTextured(const std::string& outputName) {
   if (io::canHold(outputName, io::kHoldsImages)) return;

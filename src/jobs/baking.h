@@ -29,6 +29,12 @@ void requireTextured(const std::string& outputName);
 std::vector<SceneRun> remeshBaked(io::Model& model, PaintInput paint, const RemeshOptions& options,
                                   const Progress& progress);
 
+// Requires all images that the model's materials name; for glTF, the decoder of the images checks
+// this. Throws MISSING_RESOURCE.
+void requireImages(const io::Model& model, const std::vector<Picture>& pictures);
+
+std::vector<io::NamedImage> imagesFrom(std::vector<Picture> pictures);
+
 // Painted images, as results hand them over.
 std::vector<Picture> picturesFrom(std::vector<io::PaintedImage> images);
 

@@ -7,7 +7,9 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, describe, test } from 'node:test';
 
-import { defaultOf, inJavaScript, optionTable, rangeInWords, repairNames } from 'remesher/options';
+import {
+  bakeNames, defaultOf, inJavaScript, optionTable, rangeInWords, repairNames,
+} from 'remesher/options';
 
 import { Editor } from '../support/editor.js';
 import { readText, root } from '../support/tree.js';
@@ -27,6 +29,12 @@ const functions = {
     + 'Promise<BooleanResult>',
   booleanFiles: 'booleanFiles(a: Bytes, b: Bytes, operation: BooleanOperation, '
     + 'options?: OperandOptions & OutputOptions & RunOptions): Promise<BooleanFilesResult>',
+  bake: 'bake(high: Mesh, low: Mesh, options?: BakeOptions & RunOptions): Promise<BakeResult>',
+  bakeFile: 'bakeFile(high: Bytes, low: Bytes, options?: BakeOptions & BakeFileOptions & '
+    + 'OutputOptions & RunOptions): Promise<AtlasFileResult>',
+  unwrap: 'unwrap(mesh: Mesh, options?: UnwrapOptions & RunOptions): Promise<UnwrapResult>',
+  unwrapFile: 'unwrapFile(bytes: Bytes, options?: UnwrapOptions & FileOptions & OutputOptions & '
+    + 'RunOptions): Promise<AtlasFileResult>',
   convertFile: 'convertFile(bytes: Bytes, options?: FileOptions & OutputOptions & RunOptions): '
     + 'Promise<ConvertFileResult>',
   inspect: 'inspect(bytesOrMesh: Bytes | Mesh, options?: InspectOptions & FileOptions & '
@@ -61,6 +69,7 @@ const ofFile = { name: "'a.obj'", resources: `{ 'a.mtl': ${bytes} }` };
 const ofOutput = { output: "'glb'" };
 const ofTable = Object.fromEntries(optionTable.map((option) => [option.name, valueOf(option)]));
 const ofRepair = Object.fromEntries(repairNames.map((name) => [name, ofTable[name]]));
+const ofBake = Object.fromEntries(bakeNames.map((name) => [name, ofTable[name]]));
 const source = { wasmUrl: "'a.wasm'", wasmBinary: 'new ArrayBuffer(8)' };
 
 /** Per function what it takes before its options, and each option with a value. */
@@ -74,6 +83,11 @@ const takes = {
   boolean: [`${mesh}, ${mesh}, 'union'`, ofRun],
   booleanFiles: [`${bytes}, ${bytes}, 'subtract'`, { nameA: "'a.obj'", nameB: "'b.stl'",
     resourcesA: `{ 'a.mtl': ${bytes} }`, resourcesB: '{}', ...ofRun, ...ofOutput }],
+  bake: [`${mesh}, ${mesh}`, { ...ofBake, ...ofRun }],
+  bakeFile: [`${bytes}, ${bytes}`, { ...ofBake, ...ofRun, ...ofFile, ...ofOutput,
+    nameLow: "'b.obj'", resourcesLow: '{}' }],
+  unwrap: [mesh, { textureSize: ofTable.textureSize, ...ofRun }],
+  unwrapFile: [bytes, { textureSize: ofTable.textureSize, ...ofRun, ...ofFile, ...ofOutput }],
   convertFile: [bytes, { ...ofRun, ...ofFile, ...ofOutput }],
   inspect: [bytes, { faults: 'true', edges: 'false', ...ofRun, ...ofFile }],
 };

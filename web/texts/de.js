@@ -271,6 +271,7 @@ export default {
   'phase.boolean': 'Körper aneinander schneiden',
   'phase.measure': 'Messen',
   'phase.paint': 'Texturen werden gemalt',
+  'phase.unwrap': 'Texturkoordinaten werden angelegt',
   'phase.write': 'Schreiben',
   'phase.levels of detail': 'Detailstufen',
   'phase.decode images': 'Bilder werden gelesen',

@@ -267,6 +267,7 @@ export default {
   'phase.boolean': 'Cutting the bodies along each other',
   'phase.measure': 'Measuring',
   'phase.paint': 'Painting textures',
+  'phase.unwrap': 'Laying out texture coordinates',
   'phase.write': 'Writing',
   'phase.levels of detail': 'Levels of detail',
   'phase.decode images': 'Decoding images',

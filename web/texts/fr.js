@@ -274,6 +274,7 @@ export default {
   'phase.boolean': 'Découpe des corps',
   'phase.measure': 'Mesure',
   'phase.paint': 'Peinture des textures',
+  'phase.unwrap': 'Disposition des coordonnées de texture',
   'phase.write': 'Écriture',
   'phase.levels of detail': 'Niveaux de détail',
   'phase.decode images': 'Décodage des images',

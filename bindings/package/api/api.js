@@ -8,11 +8,11 @@ import {
   buffersOf, copyMesh, copyOperands, fileBuffers, fileRequest, isBytes,
 } from './inputs.js';
 import { legible } from '../base/legible.js';
-import { checkOptions, checkRepair } from '../base/options.js';
+import { bakeNames, checkOptions, checkOwn, checkRepair } from '../base/options.js';
 
 /**
- * @import { BooleanOperation, BooleanReport, FileRequest, Inspection, Mesh, NamedBytes,
- *   RepairReport, Warning } from '../base/messages.js'
+ * @import { AtlasReport, BooleanOperation, BooleanReport, FileRequest, Inspection, Mesh, NamedBytes,
+ *   Picture, RepairReport, Warning } from '../base/messages.js'
  */
 /** @import { RemeshOptions } from '../base/options.js' */
 /** @import { RemeshResult, Runner, WasmSource } from './arrays_api.js' */
@@ -87,6 +87,47 @@ import { checkOptions, checkRepair } from '../base/options.js';
 /**
  * @typedef {Omit<ConvertFileResult, 'warnings'> & Pick<BooleanResult, 'report'>}
  *   BooleanFilesResult
+ */
+
+/** @typedef {import('../base/options.js').BakeName} BakeName */
+/** @typedef {Pick<RemeshOptions, BakeName>} BakeOptions */
+/** @typedef {Pick<RemeshOptions, 'textureSize'>} UnwrapOptions */
+
+/**
+ * An image with four bytes per texel, row after row from the top.
+ * @typedef {object} BakedMap
+ * @property {number} width Texels.
+ * @property {number} height Texels.
+ * @property {Uint8Array} data The bytes.
+ */
+
+/**
+ * @typedef {object} BakeResult
+ * @property {Mesh} mesh The low mesh with texture coordinates, normals and tangents.
+ * @property {{ normal?: BakedMap, baseColor?: BakedMap, surface?: BakedMap, emissive?: BakedMap }}
+ *   maps What was painted; `surface` is occlusion, roughness and metal.
+ * @property {AtlasReport} report What went in and what came out.
+ */
+
+/**
+ * The files of a bake, as FileOptions are of one file.
+ * @typedef {object} BakeFileOptions
+ * @property {string} [name] The high file's name; its extension, before a .gz, tells the format.
+ * @property {string} [nameLow] The low file's name.
+ * @property {Record<string, Bytes>} [resources] Files that the high one refers to, by the names it
+ *   uses for them.
+ * @property {Record<string, Bytes>} [resourcesLow] Files that the low one refers to.
+ */
+
+/**
+ * @typedef {object} UnwrapResult
+ * @property {Mesh} mesh The mesh with texture coordinates: its vertices in their order, then copies
+ *   of those on seams.
+ * @property {AtlasReport} report What went in and what came out.
+ */
+
+/**
+ * @typedef {Omit<ConvertFileResult, 'warnings'> & Pick<UnwrapResult, 'report'>} AtlasFileResult
  */
 
 /** @typedef {Platform & { compileWhole: Compile }} WholePlatform */
@@ -197,6 +238,70 @@ export class Api extends ArraysApi {
       { kind: 'booleanFiles', files, operation: requireOperation(operation) },
       files.flatMap(fileBuffers), options);
     return { ...made[0], files: made, report };
+  }
+
+  /**
+   * @param {Mesh} high
+   * @param {Mesh} low
+   * @param {BakeOptions & RunOptions} [options]
+   * @returns {Promise<BakeResult>}
+   */
+  async bake(high, low, options = {}) {
+    const checked = checkOwn(options, { names: bakeNames, others: runNames, what: 'Baking' });
+    /** @type {[Mesh, Mesh]} */
+    const meshes = [copyMesh(high), copyMesh(low)];
+    const { meshes: made, maps, report } = await this.#client.run(
+      { kind: 'bake', meshes, options: checked }, meshes.flatMap(buffersOf), options);
+    const entries = maps.map((/** @type {Picture} */ { name, width, height, texels }) =>
+      [name, { width, height, data: texels }]);
+    return { mesh: made[0], maps: Object.fromEntries(entries), report };
+  }
+
+  /**
+   * @param {Bytes} high
+   * @param {Bytes} low
+   * @param {BakeOptions & BakeFileOptions & OutputOptions & RunOptions} [options]
+   * @returns {Promise<AtlasFileResult>}
+   */
+  async bakeFile(high, low, options = {}) {
+    const others = [...runNames, ...fileNames, 'nameLow', 'resourcesLow', 'output'];
+    const checked = checkOwn(options, { names: bakeNames, others, what: 'Baking' });
+    const { name, nameLow, resources, resourcesLow, output } = options;
+    const lowName = nameLow ?? /** @type {any} */ (low)?.name;
+    /** @type {[FileRequest, FileRequest]} */
+    const files = [await fileRequest(high, { name, resources }),
+      await fileRequest(low, { name: lowName, resources: resourcesLow, output: output ?? 'glb' })];
+    const { files: made, report } = await this.#client.run(
+      { kind: 'bakeFile', files, options: checked }, files.flatMap(fileBuffers), options);
+    return { ...made[0], files: made, report };
+  }
+
+  /**
+   * @param {Mesh} mesh
+   * @param {UnwrapOptions & RunOptions} [options]
+   * @returns {Promise<UnwrapResult>}
+   */
+  async unwrap(mesh, options = {}) {
+    const checked = checkOwn(options,
+      { names: ['textureSize'], others: runNames, what: 'Unwrapping' });
+    const copy = copyMesh(mesh);
+    const { meshes, report } = await this.#client.run(
+      { kind: 'unwrap', mesh: copy, options: checked }, buffersOf(copy), options);
+    return { mesh: meshes[0], report };
+  }
+
+  /**
+   * @param {Bytes} bytes
+   * @param {UnwrapOptions & FileOptions & OutputOptions & RunOptions} [options]
+   * @returns {Promise<AtlasFileResult>}
+   */
+  async unwrapFile(bytes, options = {}) {
+    const checked = checkOwn(options,
+      { names: ['textureSize'], others: [...runNames, ...fileNames, 'output'], what: 'Unwrapping' });
+    const file = await fileRequest(bytes, options);
+    const { files, report } = await this.#client.run(
+      { kind: 'unwrapFile', file, options: checked }, fileBuffers(file), options);
+    return { ...files[0], files, report };
   }
 
   /**

@@ -62,6 +62,10 @@
  *   | { kind: 'repairFile', file: FileRequest, options: Record<string, unknown> }
  *   | { kind: 'boolean', operands: [Mesh, Mesh], operation: BooleanOperation }
  *   | { kind: 'booleanFiles', files: [FileRequest, FileRequest], operation: BooleanOperation }
+ *   | { kind: 'bake', meshes: [Mesh, Mesh], options: Record<string, unknown> }
+ *   | { kind: 'bakeFile', files: [FileRequest, FileRequest], options: Record<string, unknown> }
+ *   | { kind: 'unwrap', mesh: Mesh, options: Record<string, unknown> }
+ *   | { kind: 'unwrapFile', file: FileRequest, options: Record<string, unknown> }
  *   | { kind: 'convertFile', file: FileRequest }
  *   | { kind: 'inspect', mesh: Mesh, closely?: { faults: boolean, edges: boolean } }
  *   | { kind: 'inspectFile', file: FileRequest, faults?: boolean }} Job
@@ -338,6 +342,26 @@
  * The input's figures are those of both operands. `repair` says what was mended first, if anything.
  * @typedef {Inspection & { output: MeshReport, boolean: BooleanSummary, repair?: RepairSummary }}
  *   BooleanReport
+ */
+
+/**
+ * Texture coordinates, and the maps that were painted for them.
+ * @typedef {object} AtlasSummary
+ * @property {number} size Texels along a side of the square.
+ * @property {number} charts Pieces that texture coordinates connect.
+ * @property {boolean} given Whether they are the mesh’s own.
+ * @property {number} coverage Percent of the square.
+ * @property {number} stretch The root mean square of lengths on the surface per length in the
+ *   square, over that of a map that is even everywhere: 1 is best.
+ * @property {number} worstStretch The largest of them.
+ * @property {number} [cage] Of baking: how far the other surface was looked for, percent of its
+ *   diagonal.
+ * @property {number} [notFound] Of baking: percent of the texels for which nothing was found.
+ */
+
+/**
+ * `input` is the mesh onto which was baked, or which was unwrapped.
+ * @typedef {Inspection & { output: MeshReport, atlas: AtlasSummary }} AtlasReport
  */
 
 /**

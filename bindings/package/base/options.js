@@ -132,6 +132,14 @@ export const optionTable = [
     needs: [{ textures: ['bake'] }, { textures: ['auto'], repair: ['auto', 'solid', 'wrap'] }],
     help: 'of baked textures; jpeg (if not given, and not all images were WebP) leaves normals '
       + 'and alpha to png' },
+  { name: 'cage', flag: '--cage P', type: 'number', above: 0, max: 50,
+    unit: '% of the diagonal', form: false,
+    needs: [{ textures: ['bake'] }],
+    help: 'how far from the result baking looks for the original; for remesher bake 1.5 times the '
+      + 'largest distance found, at most 5, if not given' },
+  { name: 'ao', flag: '--ao', type: 'boolean', default: false, form: false,
+    needs: [{ textures: ['bake'] }],
+    help: 'bake ambient occlusion of the original, too' },
   { name: 'repair', flag: '--repair R', type: 'choice',
     choices: ['off', 'holes', 'solid', 'wrap', 'auto'], default: 'off',
     excludes: { others: { density: true, featureEdges: true },
@@ -392,6 +400,48 @@ export function checkRepair(given, others) {
   return checked;
 }
 
+/** The names of the options for baking onto a mesh. */
+export const bakeNames = /** @type {const} */ (['textureSize', 'textureFormat', 'cage', 'ao']);
+
+/** @typedef {typeof bakeNames[number]} BakeName */
+
+/**
+ * The options of a function that takes a few of the table, checked one by one.
+ * @param {object} given
+ * @param {object} context
+ * @param {readonly string[]} context.names those that it takes
+ * @param {readonly string[]} context.others names that belong to the call, not to the table
+ * @param {string} context.what the function, in a word
+ * @param {(option: Option) => string} [context.label] how the caller knows an option
+ * @returns {Record<string, unknown>}
+ */
+export function checkOwn(given, { names, others, what, label = nameOf }) {
+  requireObject(given);
+  /** @type {Record<string, unknown>} */
+  const result = {};
+  for (const [name, value] of Object.entries(given)) {
+    if (value === undefined || others.includes(name)) continue;
+    const option = byName.get(name);
+    if (!option) throw unknownOption(name, [...names, ...others]);
+    if (!names.includes(name)) {
+      const all = names.flatMap((one) => byName.get(one) ?? []).map(label);
+      throw new RemeshError('INVALID_OPTION',
+        `${what} does not remesh: ${label(option)} does not belong there.`,
+        `There ${all.length > 1 ? 'are' : 'is'} ${all.join(', ')}.`);
+    }
+    checkValue(option, value, label(option));
+    result[name] = value;
+  }
+  return result;
+}
+
+/** @param {string} name @param {readonly string[]} known */
+function unknownOption(name, known) {
+  const meant = nearest(name, known);
+  return new RemeshError('UNKNOWN_OPTION', `There is no option ${legible(name)}.`,
+    meant ? `Did you mean ${meant}?` : '');
+}
+
 /** @param {unknown} given what a function was given as its options */
 export function requireObject(given) {
   if (typeof given === 'object' && given !== null && !Array.isArray(given)) return;
@@ -425,11 +475,7 @@ export function checkOptions(given, { others = [], label = nameOf } = {}) {
   for (const [name, value] of Object.entries(given)) {
     if (value === undefined || others.includes(name)) continue;
     const option = byName.get(name);
-    if (!option) {
-      const meant = nearest(name, [...byName.keys(), ...others]);
-      throw new RemeshError('UNKNOWN_OPTION', `There is no option ${legible(name)}.`,
-        meant ? `Did you mean ${meant}?` : '');
-    }
+    if (!option) throw unknownOption(name, [...byName.keys(), ...others]);
     checkValue(option, value, label(option));
     result[name] = canonical(option, value);
   }

@@ -8,7 +8,7 @@ import { formats, inWords } from '../base/formats.js';
 import { legible } from '../base/legible.js';
 import { isFolder } from './plan.js';
 import {
-  checkOptions, checkValue, defaultInWords, nearest, optionTable, repairNames,
+  bakeNames, checkOptions, checkOwn, checkValue, defaultInWords, nearest, optionTable, repairNames,
 } from '../base/options.js';
 
 /** @typedef {import('../base/messages.js').BooleanOperation} BooleanOperation */
@@ -16,9 +16,11 @@ import {
 
 /**
  * @typedef {object} CommandLine
- * @property {'remesh' | 'convert' | 'repair' | 'inspect' | BooleanOperation | 'help' | 'version'}
+ * @property {'remesh' | 'convert' | 'repair' | 'inspect' | 'bake' | 'unwrap' | BooleanOperation
+ *   | 'help' | 'version'}
  *   command
  * @property {string[]} inputs one, or the two of a Boolean, unless the output is a folder
+ * @property {string} onto the file that remesher bake paints onto
  * @property {string} output
  * @property {string} format for output to '-' and to a folder
  * @property {string | undefined} root the folder below which a model may name other files
@@ -33,6 +35,7 @@ import {
 /** The flags that are the command line's own. */
 const ownFlags = [
   { flag: '-o, --output FILE', help: 'where to write; - is standard output' },
+  { flag: '--onto FILE', help: 'of remesher bake: the model that is painted; it keeps its triangles' },
   { flag: '--format F', help: `${inWords(formats)}: the format written to - or to a folder` },
   { flag: '--root DIR', help: 'the folder below which a model may name other files (default: '
     + 'the model’s own)' },
@@ -55,7 +58,7 @@ const tableFlags = new Map(optionTable.flatMap((option) => {
   const flags = [flagOf(option), option.alias].filter((flag) => flag !== undefined);
   return flags.map((flag) => /** @type {const} */ ([flag, option]));
 }));
-const valueFlags = ['-o', '--output', '--format', '--root', '--jobs'];
+const valueFlags = ['-o', '--output', '--onto', '--format', '--root', '--jobs'];
 const plainFlags = ['--force', '--skip-existing', '--json', '--quiet', '-h', '--help', '--version'];
 
 /** @param {string} message @param {string} [hint] */
@@ -120,6 +123,7 @@ function formatFrom(text) {
 /** @param {CommandLine} line @param {string} flag @param {string} value */
 function setOwn(line, flag, value) {
   if (flag === '-o' || flag === '--output') line.output = value;
+  if (flag === '--onto') line.onto = value;
   if (flag === '--format') line.format = formatFrom(value);
   if (flag === '--root') line.root = value;
   if (flag === '--jobs') line.jobs = jobsFrom(value);
@@ -132,7 +136,7 @@ function setOwn(line, flag, value) {
 }
 
 const commands = /** @type {const} */ (
-  ['convert', 'repair', 'inspect', 'union', 'subtract', 'intersect']);
+  ['convert', 'repair', 'inspect', 'bake', 'unwrap', 'union', 'subtract', 'intersect']);
 
 /** @param {string} command @returns {command is BooleanOperation} */
 export function isBoolean(command) {
@@ -203,6 +207,29 @@ function checkName({ output, format }) {
   }
 }
 
+/** @param {Pick<CommandLine, 'command' | 'inputs' | 'onto' | 'output'>} line */
+function checkOnto({ command, inputs, onto, output }) {
+  const use = 'Use: remesher bake <high> --onto <low> -o <output>';
+  if (command !== 'bake') {
+    if (onto !== '') throw wrongUse('--onto is for remesher bake.', use);
+    return;
+  }
+  if (onto === '') throw wrongUse('remesher bake needs the model to paint onto.', use);
+  if (inputs.length > 1) {
+    throw wrongUse(`remesher bake takes one model to paint from, not ${inputs.length}.`, use);
+  }
+  if (isFolder(output)) {
+    throw wrongUse(`remesher bake writes one file, and ${legible(output)} is a folder.`, use);
+  }
+}
+
+/** The names of the options that a command takes; undefined: all but those of single commands.
+ * @param {CommandLine} line */
+function namesOf({ command }) {
+  if (command === 'bake') return bakeNames;
+  return command === 'unwrap' ? /** @type {const} */ (['textureSize']) : undefined;
+}
+
 /** @param {CommandLine} line */
 function checkOutput(line) {
   const foreign = optionTable.find(({ name }) => line.options[name] !== undefined);
@@ -237,7 +264,7 @@ function checkOutput(line) {
 export function parseCommandLine(words) {
   /** @type {CommandLine} */
   const line = {
-    command: 'remesh', inputs: [], output: '', format: '', root: undefined, force: false,
+    command: 'remesh', inputs: [], onto: '', output: '', format: '', root: undefined, force: false,
     skipExisting: false, jobs: 0, json: false, quiet: false, options: {},
   };
   const names = [];
@@ -248,11 +275,18 @@ export function parseCommandLine(words) {
     else setOwn(line, flag, value);
   }
   setNames(line, names);
+  checkOnto(line);
   if (line.command === 'repair') line.options.repair ??= 'auto';
   checkOutput(line);
   if (line.inputs.length > 0) checkInputs(line);
-  const checked = checkOptions(line.options,
-    { label: (option) => flagOf(option) ?? option.name });
+  const label = (/** @type {Option} */ option) => flagOf(option) ?? option.name;
+  const own = namesOf(line);
+  if (own) {
+    line.options = checkOwn(line.options,
+      { names: own, others: [], what: `remesher ${line.command}`, label });
+    return line;
+  }
+  const checked = checkOptions(line.options, { label });
   if (line.options.preset === undefined) line.options = checked;
   return line;
 }
@@ -296,6 +330,8 @@ export function helpText() {
     'remesher convert <input> -o <output>       only change the format',
     'remesher union|subtract|intersect <a> <b> -o <output>',
     '                                           both bodies, a without b, or their common part',
+    'remesher bake <high> --onto <low> -o <output>   paint one model onto another, as .glb or .gltf',
+    'remesher unwrap <input> -o <output>        new texture coordinates only',
     'remesher <inputs> -o <folder>/ [options]   many files, folders, patterns like scans/*.obj',
     'remesher inspect <input> [--json]          report on a file, change nothing',
     '',

@@ -135,6 +135,15 @@ function booleanInWords({ operation, cut, selfIntersections }) {
     + `${counted(selfIntersections, 'triangle')} of the result self-intersecting`;
 }
 
+/** @param {import('../base/messages.js').AtlasSummary} atlas */
+function atlasInWords({ size, charts, given, coverage, stretch, worstStretch, cage, notFound }) {
+  const baked = cage === undefined ? '' : `\n  looked for within ${Number(cage.toPrecision(3))} % of `
+    + `the diagonal; nothing found for ${Number((notFound ?? 0).toPrecision(2))} % of the texels`;
+  return `texture coordinates (${given ? 'the model’s own' : 'new'}): ${counted(charts, 'chart')}, `
+    + `${coverage.toFixed(1)} % of a square of ${size} texels\n`
+    + `  stretch ${stretch.toFixed(2)} in the mean, ${worstStretch.toFixed(2)} at worst${baked}`;
+}
+
 /** The sentences by which the result was chosen, each once. @param {any} chosen */
 function chosenInWords(chosen) {
   const sentences = new Set([chosen].flat().map((/** @type {any} */ { reason }) => reason));
@@ -159,6 +168,7 @@ export function reportInWords(report) {
   if (report.dropped) parts.push(dropInWords(report.dropped));
   if (report.repair) parts.push(repairInWords(report.repair));
   if (report.boolean) parts.push(booleanInWords(report.boolean));
+  if (report.atlas) parts.push(atlasInWords(report.atlas));
   if (report.output) parts.push(meshInWords('output', report.output));
   if (report.fidelity) parts.push(distanceInWords(report.fidelity));
   if (report.chosen) parts.push(chosenInWords(report.chosen));

@@ -18,15 +18,16 @@ import { requireOutput, writeOutput } from '../files/output.js';
 /** @typedef {import('../base/messages.js').Warning} Warning */
 /**
  * @typedef {Pick<import('../api/api.js').Api, 'inspect' | 'convertFile' | 'repairFile'
- *   | 'remeshFile' | 'booleanFiles'>} Api
+ *   | 'remeshFile' | 'bakeFile' | 'unwrapFile' | 'booleanFiles'>} Api
  */
 /** @typedef {import('../api/client.js').RunOptions} RunOptions */
 
 /**
  * @typedef {object} FileTask
- * @property {'remesh' | 'convert' | 'repair' | 'inspect' | BooleanOperation} command
+ * @property {'remesh' | 'convert' | 'repair' | 'inspect' | 'bake' | 'unwrap' | BooleanOperation}
+ *   command
  * @property {string} input
- * @property {string} [second] the other operand of a Boolean
+ * @property {string} [second] the other operand of a Boolean; what is baked onto
  * @property {string} output empty: the caller takes the files
  * @property {string} outputName
  * @property {string | undefined} root
@@ -82,9 +83,9 @@ function withRefusals(error, refused) {
 
 /** @param {string} input @param {{ name: string, bytes: Uint8Array }} file @param {FileTask} task
  * @returns {Promise<Opened>} */
-async function withResources(input, { name, bytes }, { root, options }) {
+async function withResources(input, { name, bytes }, { command, root, options }) {
   const gate = await Gate.of(input, root);
-  const isPainted = withPreset(options).textures === 'bake';
+  const isPainted = command === 'bake' || withPreset(options).textures === 'bake';
   return { name, bytes, gate, resources: await readResources({ name, bytes, isPainted }, gate) };
 }
 
@@ -112,6 +113,11 @@ async function work({ command, outputName: output, options }, api, [file, second
       return api.repairFile(bytes, { ...options, ...about, output });
     case 'remesh':
       return api.remeshFile(bytes, { ...options, ...about, output });
+    case 'unwrap':
+      return api.unwrapFile(bytes, { ...options, ...about, output });
+    case 'bake':
+      return api.bakeFile(bytes, second.bytes, { ...options, ...about, output,
+        nameLow: second.name, resourcesLow: second.resources });
     default:
       return api.booleanFiles(bytes, second.bytes, command, { ...run, output, nameA: name,
         nameB: second.name, resourcesA: resources, resourcesB: second.resources });

@@ -7,6 +7,7 @@ import { isGltf } from '../base/contents.js';
 import { RemeshError } from '../base/errors.js';
 import { withoutPresetBaking } from '../base/presets.js';
 
+/** @typedef {import('../base/messages.js').FileRequest} FileRequest */
 /** @typedef {import('../base/messages.js').Job} Job */
 /** @typedef {import('../base/messages.js').Loaded} Loaded */
 /** @typedef {import('../base/messages.js').Mesh} Mesh */
@@ -106,6 +107,18 @@ function call(instance, job, ask) {
       const [a, b] = job.files;
       return instance.booleanFiles({ a, b, operation: job.operation, output: a.output }, ask);
     }
+    case 'bake': {
+      const [high, low] = job.meshes.map(withList);
+      return instance.bake({ high, low }, job.options, ask);
+    }
+    case 'bakeFile': {
+      const [high, low] = job.files;
+      return instance.bakeFile({ high, low, output: low.output }, job.options, ask);
+    }
+    case 'unwrap':
+      return instance.unwrap(withList(job.mesh), job.options, ask);
+    case 'unwrapFile':
+      return instance.unwrapFile(job.file, job.options, ask);
     case 'convertFile':
       return instance.convertFile(job.file);
     case 'inspect':
@@ -123,7 +136,7 @@ function call(instance, job, ask) {
  */
 async function plain(job) {
   if ('file' in job) return (await scripts.whole()).opened(job);
-  if (job.kind !== 'booleanFiles') return job;
+  if (!('files' in job)) return job;
   const { opened } = await scripts.whole();
   const [a, b] = job.files;
   return { ...job, files: [(await opened({ file: a })).file, (await opened({ file: b })).file] };
@@ -227,6 +240,7 @@ export class Engine {
    * @returns {Promise<any>}
    */
   async #painted(plainJob, onProgress) {
+    if (plainJob.kind === 'bakeFile') return this.#baked(plainJob, onProgress);
     const isOfFile = plainJob.kind === 'remeshFile' || plainJob.kind === 'repairFile';
     if (!isOfFile || !mayPaint(plainJob)) return this.#run(plainJob, onProgress);
     const { Baker } = await import('../textures/bake.js');
@@ -236,6 +250,24 @@ export class Engine {
       const options = { textureFormat: baker.usualFormat, ...plainJob.options };
       return await baker.closed(await this.#run({ ...plainJob, file, options },
         baker.onPainting));
+    } finally {
+      baker.end();
+    }
+  }
+
+  /**
+   * @param {Extract<Job, { kind: 'bakeFile' }>} job
+   * @param {((event: ProgressEvent) => boolean | void) | undefined} onProgress
+   */
+  async #baked(job, onProgress) {
+    const { Baker } = await import('../textures/bake.js');
+    const baker = new Baker(this.#codecs, onProgress);
+    try {
+      const [high, low] = job.files;
+      /** @type {[FileRequest, FileRequest]} */
+      const files = [await baker.opened(high), low];
+      const options = { textureFormat: baker.usualFormat, ...job.options };
+      return await baker.closed(await this.#run({ ...job, files, options }, baker.onPainting));
     } finally {
       baker.end();
     }
@@ -257,6 +289,12 @@ export class Engine {
     }
     if (job.kind === 'boolean') {
       return { ...outcome, meshes: [meshLike(outcome.meshes[0], modelOf(job.operands))] };
+    }
+    if (job.kind === 'bake') {
+      return { ...outcome, meshes: [meshLike(outcome.meshes[0], job.meshes[1])] };
+    }
+    if (job.kind === 'unwrap') {
+      return { ...outcome, meshes: [meshLike(outcome.meshes[0], job.mesh)] };
     }
     if (job.kind !== 'remesh' && job.kind !== 'repair') return outcome;
     const alike = (/** @type {any[]} */ meshes) =>

@@ -15,6 +15,7 @@ namespace remesher::io {
 namespace {
 
 constexpr const char* kWebp = "EXT_texture_webp";
+constexpr const char* kUnlit = "KHR_materials_unlit";
 constexpr const char* kTransform = "KHR_texture_transform";
 
 // A member of a material, which may be of any type: null unless it is an object.
@@ -143,11 +144,27 @@ Json textureInfo(Json& tree, const Model& model, const Map& map) {
   return {{"index", textures.size() - 1}};
 }
 
+void addName(Json& names, const char* name) {
+  if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+}
+
 // Drops MSFT_lod's materials for a distance, which use the old textures.
 void dropLevels(Json& material) {
   if (!material.contains("extensions") || !material["extensions"].is_object()) return;
   material["extensions"].erase("MSFT_lod");
   if (material["extensions"].empty()) material.erase("extensions");
+}
+
+// What a material of another file says beside its maps and without extensions that tell of more
+// than how its surface is lit.
+Json plainRestOf(const std::string& rest) {
+  const Json all = Json::parse(rest, nullptr, false);
+  Json plain = Json::object();
+  for (const char* key : {"alphaMode", "alphaCutoff", "doubleSided"})
+    if (all.is_object() && all.contains(key)) plain[key] = all[key];
+  const Json& extensions = objectIn(all.is_object() ? all : plain, "extensions");
+  if (extensions.contains(kUnlit)) plain["extensions"][kUnlit] = extensions[kUnlit];
+  return plain;
 }
 
 Json paintedMaterial(Json& tree, const Model& model, const Material& painting) {
@@ -158,6 +175,7 @@ Json paintedMaterial(Json& tree, const Model& model, const Material& painting) {
   dropLevels(material);
   if (!name.empty()) material["name"] = name;
   if (painting.number < 0 && !painting.isOpaque) material["alphaMode"] = "BLEND";
+  if (painting.number < 0 && painting.keepsRest) material.update(plainRestOf(painting.rest));
   Json pbr = Json::object();
   if (!painting.baseColor.isOnes()) pbr["baseColorFactor"] = listOf<4>(painting.baseColor);
   if (painting.baseColorMap)
@@ -272,7 +290,7 @@ Material readMaterial(const Json& tree, int number) {
   material.occlusionMap = mapIn(tree, json, "occlusionTexture");
   material.emissiveMap = mapIn(tree, json, "emissiveTexture");
   material.isOpaque = json.value("alphaMode", "OPAQUE") == "OPAQUE";
-  material.isUnlit = objectIn(json, "extensions").contains("KHR_materials_unlit");
+  material.isUnlit = objectIn(json, "extensions").contains(kUnlit);
   const Json rest = restOf(json);
   material.rest = rest.dump(-1, ' ', false, Json::error_handler_t::replace);
   collectMaps(rest, material.unpaintable);
@@ -293,14 +311,12 @@ std::size_t addPaintings(Json& tree, const Model& model) {
   bool anyWebp = false;
   for (const Material& painting : model.paintings) {
     Json material = paintedMaterial(tree, model, painting);
+    if (objectIn(material, "extensions").contains(kUnlit)) addName(tree["extensionsUsed"], kUnlit);
     tree["materials"].push_back(std::move(material));
   }
   for (const PaintedImage& image : model.images) anyWebp |= image.type == "image/webp";
   if (!anyWebp) return first;
-  for (const char* list : {"extensionsUsed", "extensionsRequired"}) {
-    Json& names = tree[list];
-    if (std::find(names.begin(), names.end(), kWebp) == names.end()) names.push_back(kWebp);
-  }
+  for (const char* list : {"extensionsUsed", "extensionsRequired"}) addName(tree[list], kWebp);
   return first;
 }
 

@@ -49,6 +49,7 @@ struct Material {
   bool isUnlit = false;  // shown in its colours, whatever the light
   // Properties that cannot be painted, as text: materials with equal text can share their maps.
   std::string rest;
+  bool keepsRest = false;  // written anew without its file, it takes what it can from `rest`
   std::vector<std::string> unpaintable;  // maps of extensions, by name
 };
 

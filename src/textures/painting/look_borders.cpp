@@ -38,9 +38,10 @@ double apart(const Shown& a, const Shown& b) { return double((a - b).abs().maxCo
 class Borders {
  public:
   Borders(const NewSurface& surface, const PaintSource& source, double texel)
-      : surface_(surface), source_(source), texel_(texel) {
-    for (int i = 0; i < 2; ++i) finders_.emplace_back(source);
-  }
+      : surface_(surface),
+        source_(source),
+        texel_(texel),
+        finders_{SideFinder(source), SideFinder(source)} {}
 
   std::vector<char> run() {
     const Index count = Index(surface_.mesh().indices.size());
@@ -137,7 +138,7 @@ class Borders {
   const NewSurface& surface_;
   const PaintSource& source_;
   double texel_;
-  std::vector<SideFinder> finders_;                // two
+  std::array<SideFinder, 2> finders_;
   std::array<Index, 2> entered_ = {kNone, kNone};  // the triangle that each has entered
   std::size_t latest_ = 0;                         // the finder that was used last
   std::vector<Looks> near_;  // per corner: a texel beside the edge that begins there

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/place.h"
+#include "textures/painting/corner_values.h"
 
 namespace remesher {
 
@@ -69,6 +70,33 @@ std::optional<Index> NewSurface::cornerInQuad(Index corner) const {
   for (Index h = first; h < first + 3; ++h)
     if (mesh_.indices[h] == mesh_.indices[corner] && texcoords_[h] == texcoords_[corner]) return h;
   return {};
+}
+
+void NewSurface::takeNormals() {
+  const Attribute* const own = findAttribute(mesh_, "NORMAL");
+  if (own == nullptr || own->itemSize != 3) return;
+  for (Index h = 0; h < mesh_.indices.size(); ++h) {
+    const float* const n = &own->values[3 * std::size_t{mesh_.indices[h]}];
+    normals_[h].light = rounded(unitOr(Vec3(n[0], n[1], n[2]), normals_[h].light));
+  }
+}
+
+TriangleMesh NewSurface::paintedInOrder() const {
+  CornerValues normals{"NORMAL", 3, {}}, tangents{"TANGENT", 4, {}}, texcoords{"TEXCOORD_0", 2, {}};
+  for (Index corner = 0; corner < mesh_.indices.size(); ++corner) {
+    const Index h = cornerInQuad(corner).value_or(corner);
+    for (const double x : normal(h)) normals.values.push_back(float(x));
+    for (const double x : tangents_[h]) tangents.values.push_back(float(x));
+    for (const double x : texcoords_[h]) texcoords.values.push_back(float(x));
+  }
+  std::vector<CornerValues> all = {std::move(normals), std::move(texcoords)};
+  if (hasTangents_) all.push_back(std::move(tangents));
+  TriangleMesh bare = mesh_;
+  std::erase_if(bare.attributes, [](const Attribute& attribute) {
+    const std::string own = attribute.semantic.substr(attribute.semantic.find('/') + 1);
+    return own == "TANGENT" || attribute.semantic.starts_with("COLOR_");
+  });
+  return withCorners(std::move(bare), all);
 }
 
 TriangleMesh NewSurface::painted() const {

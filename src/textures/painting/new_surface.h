@@ -43,7 +43,14 @@ class NewSurface {
   const Vec2& texcoord(Index corner) const { return texcoords_[corner]; }
   CanvasCorner canvasCorner(Index corner, Index size) const;
 
-  // The mesh with normals, texture coordinates and, if any were set, tangents. Vertices are copied
+  // Takes the mesh's own normals, if it has any, for light.
+  void takeNormals();
+
+  // The mesh as it is, its vertices in their order, with normals, texture coordinates and, if any
+  // were set, tangents. Copies of vertices whose corners differ follow behind all vertices.
+  TriangleMesh paintedInOrder() const;
+
+  // The same with the faces in the drawing order of their places. Vertices are copied
   // where corners differ; the triangles of a quad stay together and share two vertices.
   TriangleMesh painted() const;
 

@@ -7,6 +7,10 @@
 #include <numbers>
 #include <numeric>
 
+#include "textures/painting/cage_finder.h"
+#include "textures/painting/occlusion.h"
+#include "textures/painting/side_finder.h"
+
 namespace remesher {
 
 namespace {
@@ -78,6 +82,12 @@ Vec3 inFrame(const Vec3& tangent, double side, const Vec3& normal, const Vec3& d
   return result.normalized();
 }
 
+std::unique_ptr<PlaceFinder> finderOn(const PaintSource& source, const PaintRules& rules,
+                                      std::size_t number) {
+  if (rules.cages.empty()) return std::make_unique<SideFinder>(source);
+  return std::make_unique<CageFinder>(source, rules.cages[number]);
+}
+
 class Painter {
  public:
   Painter(std::span<const CanvasTriangle> triangles,
@@ -88,7 +98,9 @@ class Painter {
     owners_ = coveredTexels(plane_, rules.size);
     for (const auto& source : sources) {
       sources_.push_back(source.get());
-      finders_.emplace_back(*source);
+      finders_.push_back(finderOn(*source, rules, finders_.size()));
+      if (rules.occludes)
+        occlusions_.emplace_back(source->mesh().positions, source->mesh().indices);
     }
     for (io::Image* image :
          {&result_.baseColor, &result_.surface, &result_.emissive, &result_.normal})
@@ -111,8 +123,14 @@ class Painter {
         enter(current);
         if (current % 64 == 0) progress.at(double(i) / double(order.size()));
       }
-      put(order[i], mixtureAt(order[i]));
+      const Mixture mixture = mixtureAt(order[i]);
+      if (mixture.count > 0) put(order[i], mixture);
+      else lost_.push_back(order[i]);
     }
+    result_.texels = order.size();
+    result_.lost = lost_.size();
+    for (const std::size_t texel : lost_) owners_[texel] = kNone;
+    if (rules_.occludes) darken();
     const std::array<io::Image*, 4> images = {&result_.baseColor, &result_.surface,
                                               &result_.emissive, &result_.normal};
     fillGutters(images, owners_);
@@ -134,7 +152,7 @@ class Painter {
 
   void enter(Index t) {
     triangle_ = &triangles_[t];
-    finder_ = &finders_[triangle_->source];
+    finder_ = finders_[triangle_->source].get();
     source_ = sources_[triangle_->source];
     const auto& c = triangle_->corners;
     finder_->enter(
@@ -181,7 +199,8 @@ class Painter {
       for (const Vec2& offset : spread_) {
         const Vec2 point = corner + offset, at = outline_.kept(point);
         if (isWithin && at != point) continue;
-        places_.push_back(finder_->find(points_.at(at), facings_.at(at).normalized()));
+        const auto place = finder_->placeFor(points_.at(at), facings_.at(at).normalized());
+        if (place) places_.push_back(*place);
       }
       if (!places_.empty()) return;
     }
@@ -233,20 +252,45 @@ class Painter {
       result_.normal.texels[4 * texel + c] = byteOf(0.5 + 0.5 * normal[k]);
     }
     if (!rules_.isOpaque) result_.baseColor.texels[4 * texel + 3] = byteOf(alpha);
+    if (rules_.occludes) occlude(texel);
+  }
+
+  // Notes the texel's openness, at the first of its places.
+  void occlude(std::size_t texel) {
+    const InputPlace& place = places_.front();
+    const Vec3 at = source_->position(place), normal = source_->shadingNormal(place);
+    const Vec2 corner = cornerOf(texel);
+    open_.resize(owners_.size());
+    open_[texel] = {float(occlusions_[triangle_->source].openness(at, normal, Index(corner.x()),
+                                                                  Index(corner.y()))),
+                    at.cast<float>(), normal.cast<float>()};
+  }
+
+  // Of occlusion from the material and by the shape, the darker one counts.
+  void darken() {
+    if (open_.empty()) return;
+    const std::vector<float> means = meansOver(open_, owners_, rules_.size);
+    for (std::size_t i = 0; i < owners_.size(); ++i) {
+      std::uint8_t& byte = result_.surface.texels[4 * i];
+      if (owners_[i] != kNone) byte = std::min(byte, byteOf(double(means[i])));
+    }
   }
 
   std::span<const CanvasTriangle> triangles_;
   PaintRules rules_;
   std::vector<Vec2> spread_;  // the points of a texel, from its corner
   std::vector<const PaintSource*> sources_;
-  std::vector<SideFinder> finders_;
+  std::vector<std::unique_ptr<PlaceFinder>> finders_;
+  std::vector<OcclusionMap> occlusions_;  // per source, if occlusion is painted
+  std::vector<OccludedTexel> open_;       // per texel, likewise
+  std::vector<std::size_t> lost_;         // texels for which nothing was found
   std::vector<TexelTriangle> plane_;
   std::vector<Index> owners_;
   Painting result_;
   // The triangle being painted.
   const CanvasTriangle* triangle_ = nullptr;
   const PaintSource* source_ = nullptr;
-  SideFinder* finder_ = nullptr;
+  PlaceFinder* finder_ = nullptr;
   RimmedTriangle outline_;
   Sheet points_, facings_, normals_, tangents_;
   // The texel being painted.

@@ -10,7 +10,8 @@
 
 #include "base/progress.h"
 #include "textures/painting/canvas.h"
-#include "textures/painting/side_finder.h"
+#include "textures/painting/paint_source.h"
+#include "textures/painting/place_finder.h"
 
 namespace remesher {
 
@@ -32,11 +33,16 @@ struct PaintRules {
   Index size;     // texels
   bool isOpaque;  // alpha means nothing
   double finer;   // texels of the original per new texel, along a side
+  // Per source: how far places are looked for along the normals; empty: places are on the surface
+  // that is connected to the corners' places.
+  std::vector<double> cages = {};
+  bool occludes = false;  // the ambient occlusion of the source is painted, too
 };
 
 // The four maps; the channels of `surface` are occlusion, roughness, metal.
 struct Painting {
   io::Image baseColor, surface, emissive, normal;
+  std::size_t texels = 0, lost = 0;  // all that triangles cover; those for which nothing was found
 };
 
 Painting paint(std::span<const CanvasTriangle> triangles,

@@ -126,14 +126,8 @@ std::optional<MovingPlace> SideFinder::findMoving(const Vec3& point, const Vec3&
                                                   const std::array<Vec3, 2>& ways) {
   const InputPlace place = find(point, normal);
   const Facet& facet = facets_[last_[0]];
-  const double agreement = facet.normal.dot(normal);
-  if (place.triangle != facet.triangle || !(agreement > kLeastAgreement)) return {};
-  const auto changeBy = [&](const Vec3& way) -> Vec3 {
-    const Vec3 along = way - way.dot(facet.normal) / agreement * normal;
-    const double a = along.dot(facet.gradients[0]), b = along.dot(facet.gradients[1]);
-    return {a, b, -a - b};
-  };
-  return MovingPlace{place, changeBy(ways[0]), changeBy(ways[1])};
+  if (place.triangle != facet.triangle || !(facet.normal.dot(normal) > kLeastAgreement)) return {};
+  return movingPlace(place, normal, facet.normal, facet.gradients, ways);
 }
 
 }  // namespace remesher

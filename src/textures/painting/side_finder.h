@@ -12,34 +12,24 @@
 #include <vector>
 
 #include "textures/painting/paint_source.h"
+#include "textures/painting/place_finder.h"
 
 namespace remesher {
 
-struct NewTriangle {
-  Triangle corners;
-  std::array<InputPlace, 3> places;  // of the corners on the original
-};
-
-// A place, and the change of its weights per step of its point in two directions.
-struct MovingPlace {
-  InputPlace place;
-  Vec3 perX, perY;
-};
-
-class SideFinder {
+class SideFinder : public PlaceFinder {
  public:
   explicit SideFinder(const PaintSource& source);
 
-  // The triangle for all following queries.
-  void enter(const NewTriangle& triangle);
+  void enter(const NewTriangle& triangle) override;
 
   // The place for a point on the triangle or slightly beside it; normal: unit.
   InputPlace find(const Vec3& point, const Vec3& normal);
 
-  // The same for a point that may move in two directions, if the place is along the normal. As long
-  // as no weight falls below zero the place stays on the same triangle.
+  std::optional<InputPlace> placeFor(const Vec3& point, const Vec3& normal) override {
+    return find(point, normal);
+  }
   std::optional<MovingPlace> findMoving(const Vec3& point, const Vec3& normal,
-                                        const std::array<Vec3, 2>& ways);
+                                        const std::array<Vec3, 2>& ways) override;
 
  private:
   // A searched triangle, prepared for intersection with a line.

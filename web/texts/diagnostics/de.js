@@ -61,6 +61,8 @@ export default {
   'warning.EXTENSION_NOT_CARRIED': 'Was Erweiterungen über Dreiecke, Punkte oder Texturen sagen, '
     + 'die neu gemacht sind, gilt nicht mehr und fällt weg.',
   'warning.HIDDEN_LEFT_OUT': 'Was die Szene nicht zeigt, fehlt; in .glb und .gltf bleibt es da.',
+  'warning.IMAGES_NOT_FITTING': 'Die Bilder der Materialien entfallen: Sie passen nicht zu den neuen '
+    + 'Texturkoordinaten.',
   'warning.INCONSISTENT_ORIENTATION_FIXED': 'Dreiecke wurden umgedreht, damit sie zur selben Seite '
     + 'weisen wie die meisten neben ihnen.',
   'warning.ISOTROPIC_TAKES_MORE': 'Form und Zahl der Punkte bleiben, mit ungleichmäßigen '
@@ -172,6 +174,10 @@ export default {
     + 'dünner, als es fein ist, oder liegen in Lücken, die es schließt.',
   'warning.SHEETS_THICKENED': 'Aus Blättern, die nichts umschließen, wurden dünne Körper hinter '
     + 'dem, was von ihnen zu sehen ist.',
+  'warning.TEXCOORDS_REPLACED': 'Die Texturkoordinaten des Modells überlappen sich oder liegen '
+    + 'außerhalb des Quadrats: Es bekam neue.',
+  'warning.TEXELS_NOT_FOUND': 'Für einen Teil der Texel wurde keine Fläche gefunden: Sie haben die '
+    + 'Farben daneben.',
   'warning.TEXTURES_PAINTED': 'Die Reparatur hat eine andere Fläche gemacht, daher wurden ihre '
     + 'Texturen neu gemalt.',
   'warning.PARTS_MEET': 'Dreiecke von Teilen treffen solche anderer Teile: jedes wurde für sich '

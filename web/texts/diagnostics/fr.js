@@ -61,6 +61,8 @@ export default {
   'warning.ELEMENTS_LEFT_OUT': 'Les éléments qui ne sont ni triangles ni quads manquent.',
   'warning.EXTENSION_NOT_CARRIED': 'Ce que des extensions disent de ce qui est refait disparaît.',
   'warning.HIDDEN_LEFT_OUT': 'Ce que la scène ne montre pas manque ; un .glb ou .gltf le garde.',
+  'warning.IMAGES_NOT_FITTING': 'Les images des matériaux sont laissées de côté : elles ne '
+    + 'correspondent pas aux nouvelles coordonnées de texture.',
   'warning.INCONSISTENT_ORIENTATION_FIXED': 'Des triangles ont été retournés pour regarder du '
     + 'même côté que la plupart de leurs voisins.',
   'warning.ISOTROPIC_TAKES_MORE': 'La forme et le nombre de sommets restent, avec des triangles '
@@ -168,6 +170,10 @@ export default {
     + 'sont plus minces que sa finesse, ou dans des passages qu’il ferme.',
   'warning.SHEETS_THICKENED': 'Des feuilles, qui n’enferment rien, sont devenues des solides '
     + 'minces derrière ce que l’on en voit.',
+  'warning.TEXCOORDS_REPLACED': 'Les coordonnées de texture du modèle se recouvrent ou sortent du '
+    + 'carré : il en a reçu de nouvelles.',
+  'warning.TEXELS_NOT_FOUND': 'Pour une partie des texels, aucune surface n’a été trouvée : ils '
+    + 'prennent les couleurs voisines.',
   'warning.TEXTURES_PAINTED': 'La réparation a fait une autre surface, ses textures ont donc été '
     + 'repeintes.',
   'warning.PARTS_MEET': 'Des triangles de parties en rencontrent d’autres : chaque partie a été '
