@@ -58,12 +58,14 @@ add_executable(unit_tests
   tests/unit/jobs/fewest_vertices_test.cpp
   tests/unit/jobs/part_repair_test.cpp
   tests/unit/jobs/parts/part_joining_test.cpp
+  tests/unit/jobs/parts/part_lengths_test.cpp
   tests/unit/jobs/parts/part_places_test.cpp
   tests/unit/jobs/parts/part_report_test.cpp
   tests/unit/jobs/parts/part_scale_test.cpp
   tests/unit/jobs/parts/part_targets_test.cpp
   tests/unit/jobs/parts/part_unions_test.cpp
   tests/unit/jobs/parts/quad_diagonals_test.cpp
+  tests/unit/jobs/pixel_levels_test.cpp
   tests/unit/main.cpp
   tests/unit/measure/edge_report_test.cpp
   tests/unit/measure/hausdorff_test.cpp

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "jobs/parts/part_lengths.h"
 #include "jobs/parts/part_report.h"
 
 namespace remesher {
@@ -13,7 +14,9 @@ InspectedParts::InspectedParts(const std::vector<io::Part>& given)
       scaled_(scale_.isNeeded() ? scale_.applied(given) : std::vector<io::Part>{}),
       weldings_(weldingsOf(parts())),
       places_(placesOf(parts())),
-      report_(inspectParts(parts(), weldings_, places_)) {}
+      report_(inspectParts(parts(), weldings_, places_)) {
+  report_.diagonal = worldDiagonal(given_);
+}
 
 RemeshOptions InspectedParts::scaled(const RemeshOptions& options) const {
   return scale_.isNeeded() ? scale_.applied(options) : options;

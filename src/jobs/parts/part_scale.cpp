@@ -128,7 +128,9 @@ std::vector<io::Part> PartScale::applied(std::vector<io::Part> parts) const {
 }
 
 RemeshOptions PartScale::applied(RemeshOptions options) const {
-  if (options.edgeLength) *options.edgeLength *= world_;
+  Lengths& lengths = options.lengths;
+  for (std::optional<double>* const length : {&options.edgeLength, &lengths.maxError})
+    if (*length) **length *= world_;
   return options;
 }
 
