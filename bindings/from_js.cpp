@@ -82,6 +82,9 @@ RemeshOptions optionsFrom(const val& object) {
   if (readWholeOptions) readWholeOptions(object, options);
   options.detectFeatures = !object["featureAngle"].isString();
   options.dropFloaters = object["dropBelow"].isString();
+  options.lodsBy = object["lodsBy"].isString() ? LodsBy::Pixels : LodsBy::Shares;
+  if (const val lengths = object["lengths"]; !lengths.isUndefined())
+    forEachLength(options.lengths, OptionReader{lengths});
   return options;
 }
 

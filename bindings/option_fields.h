@@ -59,4 +59,14 @@ void forEachWholeOption(Options& options, const Visit& visit) {
   visit("lodFiles", options.lodFiles);
 }
 
+// Options in percent of the diagonal that may be lengths instead.
+template <class Lengths, class Visit>
+void forEachLength(Lengths& lengths, const Visit& visit) {
+  visit("maxError", lengths.maxError);
+  visit("weld", lengths.weld);
+  visit("holesUpTo", lengths.holesUpTo);
+  visit("gap", lengths.gap);
+  visit("dropBelow", lengths.dropBelow);
+}
+
 }  // namespace remesher

@@ -194,6 +194,7 @@ val objectFrom(const Report& report) {
   val result = val::object();
   result.set("version", std::string(REMESHER_VERSION));
   result.set("input", objectFrom(report.input));
+  result.set("diagonal", report.input.diagonal);
   if (report.output) result.set("output", objectFrom(*report.output));
   if (report.fidelity) result.set("fidelity", objectFrom(*report.fidelity));
   if (report.repair && repairInJs) result.set("repair", repairInJs(*report.repair));
@@ -206,6 +207,12 @@ val objectFrom(const Report& report) {
   result.set("phases", listFrom(report.phases));
   result.set("warnings", listFrom(report.warnings));
   if (report.output) result.set("stopped", std::string(nameOf(kStopped, report.stopped)));
+  if (report.takesOver) {
+    val takesOver = val::object();
+    takesOver.set("coverage", report.takesOver->coverage);
+    takesOver.set("distance", report.takesOver->distance);
+    result.set("takesOver", takesOver);
+  }
   if (!report.lods.empty()) result.set("lods", listFrom(report.lods));
   return result;
 }

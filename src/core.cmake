@@ -170,11 +170,13 @@ set(small
   src/jobs/parts/part_borders.cpp
   src/jobs/parts/part_frames.cpp
   src/jobs/parts/part_joining.cpp
+  src/jobs/parts/part_lengths.cpp
   src/jobs/parts/part_places.cpp
   src/jobs/parts/part_report.cpp
   src/jobs/parts/part_targets.cpp
   src/jobs/parts/part_unions.cpp
   src/jobs/parts/quad_diagonals.cpp
+  src/jobs/pixel_levels.cpp
   src/jobs/repair_words.cpp
   src/jobs/scene_run.cpp
   src/measure/distance_bound.cpp

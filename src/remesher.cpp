@@ -12,6 +12,7 @@
 #include "jobs/level_files.h"
 #include "jobs/mending.h"
 #include "jobs/parts/part_joining.h"
+#include "jobs/parts/part_lengths.h"
 #include "jobs/parts/part_report.h"
 #include "jobs/parts/quad_diagonals.h"
 #include "jobs/run_guards.h"
@@ -57,18 +58,19 @@ RemeshResult remesh(const TriangleMesh& mesh, const RemeshOptions& options,
   return result;
 }
 
-RemeshSceneResult remeshScene(std::vector<PlacedMesh> scene, const RemeshOptions& options,
+RemeshSceneResult remeshScene(std::vector<PlacedMesh> scene, const RemeshOptions& asked,
                               const Progress& progress) {
-  requireUnpainted(options);
-  checkTogether(options);
+  requireUnpainted(asked);
+  checkTogether(asked);
   PhaseClock clock;
   std::vector<io::Part> parts;
   for (PlacedMesh& placed : scene) {
     parts.push_back({"", std::move(placed.mesh), std::move(placed.places)});
     parts.back().finer = std::move(placed.finer);
-    if (options.textures == Textures::Drop) dropTexcoords(parts.back().mesh);
+    if (asked.textures == Textures::Drop) dropTexcoords(parts.back().mesh);
   }
-  parts = joinedPlaces(std::move(parts), options.weld);
+  const RemeshOptions options = withPercents(asked, parts);
+  parts = joinedPlaces(std::move(parts), options);
   if (options.quads) parts = cutAlongShorter(std::move(parts));
   const std::vector<Warning> settled = settleAttributes(parts);
   const Progress whole = progress.timedBy(clock);
@@ -90,11 +92,12 @@ RemeshSceneResult remeshScene(std::vector<PlacedMesh> scene, const RemeshOptions
   return result;
 }
 
-RepairResult repair(const TriangleMesh& mesh, const RemeshOptions& options,
+RepairResult repair(const TriangleMesh& mesh, const RemeshOptions& asked,
                     const Progress& progress) {
   PhaseClock clock;
-  requireUnpainted(options);
+  requireUnpainted(asked);
   std::vector<io::Part> parts = {io::Part{"", mesh, {}}};
+  const RemeshOptions options = withPercents(asked, parts);
   if (options.textures == Textures::Drop) dropTexcoords(parts.front().mesh);
   const std::vector<Warning> settled = settleAttributes(parts);
   RepairedParts repaired = repairOnly(parts, Held::Apart, options, progress.timedBy(clock));
@@ -103,15 +106,16 @@ RepairResult repair(const TriangleMesh& mesh, const RemeshOptions& options,
 }
 
 RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
-                            const RemeshOptions& options, const Progress& progress) {
+                            const RemeshOptions& asked, const Progress& progress) {
   io::requireWritable(outputName);
-  checkTogether(options);
-  if (options.textures == Textures::Bake) requireTextured(outputName);
-  requireRoomForLevels(outputName, options);
+  checkTogether(asked);
+  if (asked.textures == Textures::Bake) requireTextured(outputName);
+  requireRoomForLevels(outputName, asked);
   PhaseClock clock;
   const Progress whole = progress.timedBy(clock);
   whole.phase("read", 0, kReadShare);
-  io::Model model = readFor(outputName, input, options);
+  io::Model model = readFor(outputName, input, asked);
+  const RemeshOptions options = withPercents(asked, model.parts);
   model.isExact = options.repair != Repair::Off;
   if (options.unite)
     io::uniteAll(model, outputName);
@@ -119,7 +123,7 @@ RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
     io::unite(model, outputName);
   if (!options.lods.empty()) io::replaceLevels(model);
   std::vector<SceneRun> runs = inFile(input.file.name, [&]() -> std::vector<SceneRun> {
-    model.parts = joinedPlaces(std::move(model.parts), options.weld);
+    model.parts = joinedPlaces(std::move(model.parts), options);
     if (options.quads) model.parts = cutAlongShorter(std::move(model.parts));
     std::vector<io::Part> given;
     if (options.repair != Repair::Off && !input.pictures.empty()) given = model.parts;

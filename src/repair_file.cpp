@@ -9,6 +9,7 @@
 #include "jobs/baking.h"
 #include "jobs/bare_materials.h"
 #include "jobs/mending.h"
+#include "jobs/parts/part_lengths.h"
 #include "jobs/parts/part_report.h"
 #include "jobs/run_guards.h"
 #include "jobs/scene_run.h"
@@ -33,15 +34,16 @@ bool mayStay(const FileBundle& input, const std::string& outputName, const io::M
 }  // namespace
 
 RemeshFileResult repairFile(const FileBundle& input, const std::string& outputName,
-                            const RemeshOptions& options, const Progress& progress) {
+                            const RemeshOptions& asked, const Progress& progress) {
   io::requireWritable(outputName);
   constexpr double kPainted = 0.6;  // the share of the run before painting
   PhaseClock clock;
   const Progress whole = progress.timedBy(clock);
   whole.phase("read", 0, kReadShare);
-  if (options.textures == Textures::Bake) requireTextured(outputName);
+  if (asked.textures == Textures::Bake) requireTextured(outputName);
   io::Model model = io::read(input.file, input.resources);
   io::prepare(model, outputName);
+  const RemeshOptions options = withPercents(asked, model.parts);
   if (options.textures == Textures::Drop) dropTextures(model);
   if (options.unite)
     io::uniteAll(model, outputName);

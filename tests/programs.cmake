@@ -63,11 +63,13 @@ add_executable(unit_tests
   tests/unit/jobs/parts/common_frame_test.cpp
   tests/unit/jobs/parts/part_frames_test.cpp
   tests/unit/jobs/parts/part_joining_test.cpp
+  tests/unit/jobs/parts/part_lengths_test.cpp
   tests/unit/jobs/parts/part_places_test.cpp
   tests/unit/jobs/parts/part_report_test.cpp
   tests/unit/jobs/parts/part_targets_test.cpp
   tests/unit/jobs/parts/part_unions_test.cpp
   tests/unit/jobs/parts/quad_diagonals_test.cpp
+  tests/unit/jobs/pixel_levels_test.cpp
   tests/unit/main.cpp
   tests/unit/measure/edge_report_test.cpp
   tests/unit/measure/hausdorff_test.cpp

@@ -30,7 +30,6 @@ async function decoderModules() {
     bundle: true, minify: true, format: 'esm', target: 'es2022', platform: 'browser', write: false,
     legalComments: 'none',
   });
-  const draco = 'draco3dgltf/draco_decoder_gltf';
   // Without `process` the script does not assume Node. Without the names of CommonJS no bundler
   // takes the script for a mixture of both kinds of module, or looks for Node's modules.
   return {
@@ -39,20 +38,36 @@ async function decoderModules() {
 ${await shortened(String(read('meshoptimizer/meshopt_decoder.mjs')))}`,
     'zip.mjs': `// fflate, https://github.com/101arrowz/fflate, MIT, Copyright (c) 2023 Arjun Barrett
 ${zip.outputFiles[0].text}`,
-    'draco_decoder.mjs': `// Draco, https://github.com/google/draco, Apache-2.0
-${await shortened(`const DracoDecoderModule = (function () {
+    'meshopt_encoder.mjs': `// meshoptimizer, https://github.com/zeux/meshoptimizer, MIT,
+// Copyright (C) 2016-2026, by Arseny Kapoulkine
+${await shortened(String(read('meshoptimizer/meshopt_encoder.js')))}`,
+    'draco_decoder.mjs': await dracoModule('DracoDecoderModule', 'draco_decoder_gltf_nodejs.js',
+      'draco_decoder_gltf.wasm'),
+    'draco_encoder.mjs': await dracoModule('DracoEncoderModule', 'draco_encoder_gltf_nodejs.js',
+      'draco_encoder.wasm'),
+  };
+}
+
+/**
+ * One of Draco's modules with its WebAssembly inside.
+ * @param {string} name what the script calls it @param {string} script @param {string} wasm
+ */
+async function dracoModule(name, script, wasm) {
+  const read = (/** @type {string} */ file) =>
+    readFileSync(join(root, 'node_modules/draco3dgltf', file));
+  return `// Draco, https://github.com/google/draco, Apache-2.0
+${await shortened(`const ${name} = (function () {
 const process = undefined, module = undefined, exports = undefined, require = undefined;
-${read(`${draco}_nodejs.js`)}
-return DracoDecoderModule;
+${read(script)}
+return ${name};
 })();
-const packed = '${gzipSync(read(`${draco}.wasm`), { level: 9 }).toString('base64')}';
+const packed = '${gzipSync(read(wasm), { level: 9 }).toString('base64')}';
 export default async () => {
   const bytes = Uint8Array.from(atob(packed), (letter) => letter.charCodeAt(0));
   const unpacked = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
-  return DracoDecoderModule({ wasmBinary: await new Response(unpacked).arrayBuffer() });
+  return ${name}({ wasmBinary: await new Response(unpacked).arrayBuffer() });
 };
-`)}`,
-  };
+`)}`;
 }
 
 /** @param {string} folder @returns {string[]} the files below it, by their paths from the root */

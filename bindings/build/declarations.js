@@ -5,6 +5,7 @@
 import {
   defaultInWords, inJavaScript, optionTable, rangeInWords,
 } from '../package/base/options.js';
+import { takesLength, units } from '../package/base/lengths.js';
 
 /** @typedef {import('../package/base/options.js').Option} Option */
 
@@ -14,15 +15,18 @@ const plainTypes = {
   number: 'number',
   boolean: 'boolean',
   choice: 'string',
-  shares: 'readonly number[] | Float64Array',
+  shares: 'readonly number[] | Float64Array | readonly `${number}px`[]',
   floats: 'Float32Array',
   pairs: 'Uint32Array | ReadonlyArray<readonly [number, number]>',
 };
 
+const lengthType = `\`\${number}\${${units.map((unit) => `'${unit}'`).join(' | ')}}\``;
+
 /** @param {Option} option */
 function typeOf(option) {
   if (option.choices) return option.choices.map((choice) => `'${choice}'`).join(' | ');
-  return plainTypes[option.type] + (option.word ? ` | '${option.word}'` : '');
+  return plainTypes[option.type] + (takesLength(option) ? ` | ${lengthType}` : '')
+    + (option.word ? ` | '${option.word}'` : '');
 }
 
 /** Adds a full stop, and a capital unless a name or a sign comes first. @param {string} text */

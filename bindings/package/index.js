@@ -15,6 +15,7 @@ import * as platform from './platform_browser.js';
  * @typedef {import('./api/api.js').BooleanFilesResult} BooleanFilesResult
  * @typedef {import('./api/api.js').BooleanResult} BooleanResult
  * @typedef {import('./api/api.js').ConvertFileResult} ConvertFileResult
+ * @typedef {import('./api/api.js').ConvertOptions} ConvertOptions
  * @typedef {import('./api/api.js').InitOptions} InitOptions
  * @typedef {import('./api/api.js').InspectOptions} InspectOptions
  * @typedef {import('./api/api.js').OperandOptions} OperandOptions
@@ -37,6 +38,7 @@ import * as platform from './platform_browser.js';
  * @typedef {import('./base/messages.js').BooleanOperation} BooleanOperation
  * @typedef {import('./base/messages.js').BooleanReport} BooleanReport
  * @typedef {import('./base/messages.js').BooleanSummary} BooleanSummary
+ * @typedef {import('./base/messages.js').Compression} Compression
  * @typedef {import('./base/messages.js').Distances} Distances
  * @typedef {import('./base/messages.js').EdgeSummary} EdgeSummary
  * @typedef {import('./base/messages.js').FaultSummary} FaultSummary
@@ -57,6 +59,8 @@ import * as platform from './platform_browser.js';
  * @typedef {import('./base/messages.js').RepairReport} RepairReport
  * @typedef {import('./base/messages.js').RepairSummary} RepairSummary
  * @typedef {import('./base/messages.js').RunReport} RunReport
+ * @typedef {import('./base/messages.js').Switch} Switch
+ * @typedef {import('./base/messages.js').Texture} Texture
  * @typedef {import('./base/messages.js').Timings} Timings
  * @typedef {import('./base/messages.js').Warning} Warning
  * @typedef {import('./base/remesh_options.js').RemeshOptions} RemeshOptions
@@ -271,8 +275,8 @@ export function unwrapFile(bytes, options) {
  * const { bytes } = await convertFile(file, { output: 'glb' });
  *
  * @param {Bytes} bytes The file.
- * @param {FileOptions & OutputOptions & RunOptions} [options] Its name, the result's name, and how
- *   to run.
+ * @param {ConvertOptions & FileOptions & OutputOptions & RunOptions} [options] How to compress it,
+ *   its name, the result's name, and how to run.
  * @returns {Promise<ConvertFileResult>} The new file. Rejects with a {@link RemeshError}.
  */
 export function convertFile(bytes, options) {

@@ -31,6 +31,7 @@ constexpr std::array kDiagnostics = {
     Diagnostic{"JOINTS_RELEASED", Severity::Loss},
     Diagnostic{"JOINT_NOT_IN_SKIN", Severity::Loss},
     Diagnostic{"LEVELS_REPLACED", Severity::Note},
+    Diagnostic{"LEVEL_FARTHER_THAN_ASKED", Severity::Fault},
     Diagnostic{"LEVEL_NOT_COARSER", Severity::Loss},
     Diagnostic{"MAP_NOT_PAINTED", Severity::Loss},
     Diagnostic{"MATERIALS_BY_NAME", Severity::Note},

@@ -32,6 +32,7 @@ inline bool isForced(Symmetry symmetry) {
 enum class Repair { Off, Holes, Solid, Wrap, Auto };  // what is mended before remeshing
 enum class Sheets { Thicken, Drop };                  // what wrap does with open sheets
 enum class TooFew { Refuse, Raise };                  // for a target below what the surface needs
+enum class LodsBy { Shares, Pixels };  // what `lods` says of each level
 // If even triangles exceed an error bound: use those of the original | end the run.
 enum class OutOfBound { FromOriginal, GiveUp };
 
@@ -57,6 +58,12 @@ struct Mirrors {
 // Edges with a larger dihedral angle, in degrees, count as features unless the caller sets another.
 // With 37 in decimation the RMS of 8 cases at 7 neighboring counts is 0.98 to 1.05 times as much.
 inline constexpr double kFeatureAngle = 40;
+
+// Percent options given as lengths instead, in units of the model's world. Each sets the option of
+// its name: jobs/parts/part_lengths.h.
+struct Lengths {
+  std::optional<double> maxError, weld, holesUpTo, gap, dropBelow;
+};
 
 struct RemeshOptions {
   std::optional<Index> vertices;     // exact number of distinct positions of the result
@@ -100,8 +107,10 @@ struct RemeshOptions {
   std::optional<double> dropBelow;  // smaller pieces are left out, percent of the diagonal
   bool dropFloaters = false;        // so are small pieces away from the rest: dropBelow auto
   bool dropHidden = false;          // so are triangles that nobody sees from outside
-  std::vector<double> lods;         // shares of the number of vertices, each > 0
+  std::vector<double> lods;         // of levels of detail, each > 0: shares of the vertices
+  LodsBy lodsBy = LodsBy::Shares;   // or how far a level may be off, in pixels of 1080
   bool lodFiles = false;            // a file for each level, not one for all
+  Lengths lengths;
 
   // Not set by the caller: see PartTargets, PartUnions, fewest_vertices.h, mirrored.h,
   // part_repair.cpp.

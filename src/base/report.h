@@ -72,12 +72,21 @@ struct MeshReport {
   double maxAngle = 0;              // the largest angle of any triangle
   double valence6 = 0;              // percent of the interior vertices
   std::optional<QuadReport> quads;  // only for a mesh of quads
+  double diagonal = 0;              // of the box in the world; of what goes in only
 };
 
 // Two-sided distance between the result and the original, percent of the original's diagonal.
 struct FidelityReport {
   double hausdorff = 0;
   double rms = 0;
+};
+
+// When a level of detail takes over: once its largest distance is seen as a pixel of 1080, by the
+// disk around the model. coverage: the disk's share of a screen of 1920 × 1080; distance: the
+// camera's from the model, at an angle of view of 50 degrees.
+struct SwitchReport {
+  double coverage = 1;
+  double distance = 0;
 };
 
 enum class Stopped { Target, Fidelity, MaxError, Cancelled };
@@ -196,6 +205,7 @@ struct Report {
   Stopped stopped = Stopped::Target;
   std::vector<Prefer> prefer;  // what each part is made of: Even or Shape; none after an inspection
   std::vector<Chosen> chosen;  // why each part is the mesh that it is; none after an inspection
+  std::optional<SwitchReport> takesOver;  // only of a coarser level of detail
   std::vector<Report> lods;    // of the coarser levels of detail, in the order requested
 };
 

@@ -224,6 +224,7 @@ RemeshOptions optionsOfLevels(RemeshOptions options, const Report& finest) {
   options.vertices = Index(finest.output->vertices);
   options.faces.reset();
   options.maxError.reset();
+  options.lengths.maxError.reset();
   return options;
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "jobs/parts/part_lengths.h"
 #include "jobs/parts/part_report.h"
 
 namespace remesher {
@@ -67,6 +68,7 @@ InspectedParts::InspectedParts(const std::vector<io::Part>& given)
   weldings_ = weldingsOf(parts_);
   places_ = placesOf(parts_);
   report_ = inspectParts(parts_, weldings_, places_);
+  report_.diagonal = worldDiagonal(given_);
 }
 
 RemeshOptions InspectedParts::applied(RemeshOptions options) const {

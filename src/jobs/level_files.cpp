@@ -7,6 +7,7 @@
 #include "base/legible.h"
 #include "io/model/levels.h"
 #include "jobs/parts/part_report.h"
+#include "jobs/pixel_levels.h"
 
 namespace remesher {
 
@@ -15,6 +16,7 @@ namespace {
 // The model with the finest level as its parts, which hold the coarser ones.
 io::Model withLods(io::Model model, std::vector<SceneRun>& runs) {
   model.parts = std::move(runs.front().parts);
+  setCoverages(model.parts, runs.front().report);
   for (std::size_t level = 1; level < runs.size(); ++level)
     for (std::size_t i = 0; i < model.parts.size(); ++i)
       model.parts[i].lods.push_back(std::move(runs[level].parts[i].mesh));

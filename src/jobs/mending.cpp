@@ -186,7 +186,7 @@ std::vector<io::Part> Mending::kept(std::vector<io::Part> given) const {
 RepairedParts repairOnly(std::vector<io::Part>& parts, Held held, const RemeshOptions& options,
                          const Progress& progress) {
   const std::vector<io::Part> given = parts;
-  parts = joinedPlaces(std::move(parts), options.weld);
+  parts = joinedPlaces(std::move(parts), options);
   const std::vector<io::Part> originals = parts;
   const Mending mending(parts, options, progress, Mending::Purpose::Itself);
   const std::vector<io::Part> left = mending.kept(originals);

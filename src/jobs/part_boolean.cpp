@@ -136,7 +136,7 @@ BooleanRun runOf(OperandPair pair, BooleanOperation operation, const Progress& p
   progress.phase("repair", 0, 0.4);
   for (std::size_t i = 0; i < 2; ++i)
     pair.parts[i] =
-        inFile(pair.names[i], [&] { return joinedPlaces({pair.parts[i]}, std::nullopt).front(); });
+        inFile(pair.names[i], [&] { return joinedPlaces({pair.parts[i]}, {}).front(); });
   run.report.input = inspectScaled({pair.parts.begin(), pair.parts.end()});
   const Scaled scaled(pair);
   const Bodies bodies = bodiesOf(pair, scaled);

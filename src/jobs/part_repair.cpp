@@ -10,6 +10,7 @@
 #include "jobs/checks/result_check.h"
 #include "jobs/part_run.h"
 #include "jobs/parts/part_frames.h"
+#include "jobs/parts/part_lengths.h"
 #include "jobs/parts/part_places.h"
 #include "jobs/parts/part_report.h"
 #include "jobs/repair_words.h"
@@ -118,7 +119,9 @@ PartsRepair repairParts(std::vector<io::Part> parts, const RemeshOptions& option
   for (std::size_t i = 0; i < result.parts.size(); ++i) {
     io::Part& part = result.parts[i];
     own.spacing = spacings[i];
-    if (options.thickness) own.thickness = *options.thickness / scale.growth(part);
+    const double growth = scale.growth(part);
+    own = withPercentsOf(part.mesh, growth, std::move(own));
+    if (options.thickness) own.thickness = *options.thickness / growth;
     progress.at(total > 0 ? done / total : 0);
     const std::size_t triangles = part.mesh.triangleCount();
     if (result.parts.size() > 1 && !isSurface(part.mesh)) continue;

@@ -10,6 +10,7 @@
 #include "jobs/fewest_vertices.h"
 #include "jobs/open_number.h"
 #include "jobs/part_repair.h"
+#include "jobs/parts/part_lengths.h"
 #include "measure/hausdorff.h"
 #include "measure/mesh_report.h"
 #include "measure/self_intersections.h"
@@ -25,9 +26,13 @@ using Run = RemeshOutcome (*)(const TriangleMesh&, Welding, const RemeshOptions&
 RemeshOutcome runOn(PartInput part, Run remeshed, const RemeshOptions& options,
                     const Progress& progress) {
   const auto stretch = stretchAt(part.place.toWorld);
-  if (!stretch) return remeshed(part.mesh, std::move(part.welding), options, progress);
-  RemeshOutcome outcome =
-      remeshed(stretched(part.mesh, *stretch), std::move(part.welding), options, progress);
+  const auto optionsFor = [&](const TriangleMesh& shown) {
+    return withPercentsOf(shown, growthOf(part.place.toWorld), options);
+  };
+  if (!stretch)
+    return remeshed(part.mesh, std::move(part.welding), optionsFor(part.mesh), progress);
+  const TriangleMesh shown = stretched(part.mesh, *stretch);
+  RemeshOutcome outcome = remeshed(shown, std::move(part.welding), optionsFor(shown), progress);
   outcome.mesh = relaxed(std::move(outcome.mesh), *stretch, part.mesh);
   outcome.tree.reset();
   return outcome;

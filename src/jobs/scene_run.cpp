@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <utility>
 
@@ -18,6 +19,7 @@
 #include "jobs/parts/part_report.h"
 #include "jobs/parts/part_targets.h"
 #include "jobs/parts/part_unions.h"
+#include "jobs/pixel_levels.h"
 #include "jobs/run_guards.h"
 #include "remesh/schemes/chooser.h"
 
@@ -248,17 +250,63 @@ RemeshOptions optionsOfLevel(RemeshOptions options, double share) {
   return options;
 }
 
-// The coarser levels that were asked for.
+// Whether simplification, the nearest for a number of vertices, may make a level.
+bool maySimplify(const RemeshOptions& options) {
+  return options.prefer == Prefer::Auto && options.scheme == Scheme::Best && !options.quads &&
+         !options.splitObtuse && options.boundary == Boundary::Resample && options.density.empty();
+}
+
+// The options of a level of so many vertices, whose distance decides.
+RemeshOptions optionsOfPixels(RemeshOptions options, Index vertices) {
+  if (maySimplify(options)) options.prefer = Prefer::Shape;
+  options.lods.clear();
+  options.tooFew = TooFew::Raise;
+  options.faces.reset();
+  options.ratio.reset();
+  options.edgeLength.reset();
+  options.maxError.reset();
+  options.lengths.maxError.reset();
+  options.vertices = vertices;
+  return options;
+}
+
+// The level of fewest vertices that is off by no more than so many pixels: each result of runAt has
+// a number of vertices. Later ones show no progress.
+SceneRun fewestWithin(double pixels, const Report& finer,
+                      const std::function<SceneRun(Index vertices)>& runAt) {
+  PixelSearch search(pixels, finer.output->vertices);
+  std::optional<SceneRun> best;
+  while (!search.isSettled()) {
+    SceneRun run = runAt(search.vertices());
+    if (search.take(run.report)) best = std::move(run);
+  }
+  if (!search.isMet())
+    best->report.warnings.push_back(
+        {"LEVEL_FARTHER_THAN_ASKED",
+         "A level of detail is farther from the original than the pixels asked for: the level "
+         "before it has no more vertices to give.",
+         1});
+  return std::move(*best);
+}
+
+// The coarser levels that were asked for; `finest` is the report on the finest one.
 std::vector<SceneRun> remeshCoarser(const SceneInput& input, const RemeshOptions& options,
-                                    const Progress& progress) {
+                                    const Report& finest, const Progress& progress) {
   std::vector<SceneRun> runs;
   const double count = double(options.lods.size());
   for (const double share : options.lods) {
     PhaseClock clock;
     const double begin = double(runs.size()) / count;
     const Progress part = progress.part(begin, begin + 1 / count).timedBy(clock);
-    runs.push_back(remeshInBudget(input, optionsOfLevel(options, share), part));
-    runs.back().report = timed(std::move(runs.back().report), clock);
+    const Report& finer = runs.empty() ? finest : runs.back().report;
+    SceneRun run = options.lodsBy == LodsBy::Shares
+                       ? remeshInBudget(input, optionsOfLevel(options, share), part)
+                       : fewestWithin(share, finer, [&](Index vertices) {
+                           return remeshInspected(input, optionsOfPixels(options, vertices), part);
+                         });
+    run.report.takesOver = switchTo(run.report, finer);
+    run.report = timed(std::move(run.report), clock);
+    runs.push_back(std::move(run));
   }
   return runs;
 }
@@ -270,7 +318,9 @@ RemeshOptions optionsOfSimplified(const RemeshOptions& wanted, double share, con
   options.textures = Textures::Keep;
   options.quality = wanted.quality;
   options.tooFew = TooFew::Raise;
-  if (wanted.faces)
+  if (wanted.lodsBy == LodsBy::Pixels)
+    options.vertices = Index(share);
+  else if (wanted.faces)
     options.faces = Index(std::max(1.0, std::floor(share * double(finest.output->triangles))));
   else
     options.vertices = Index(std::max(1LL, std::llround(share * double(finest.output->vertices))));
@@ -323,7 +373,8 @@ std::vector<SceneRun> remeshLevels(const std::vector<io::Part>& originals, Held 
     std::vector<SceneRun> runs = {remeshInBudget(input, options, progress.part(0, share))};
     if (options.lods.empty()) return runs;
     progress.phase("levels of detail", share, share);
-    for (SceneRun& run : remeshCoarser(input, optionsOfLevels(options, runs.front().report),
+    const Report finest = runs.front().report;
+    for (SceneRun& run : remeshCoarser(input, optionsOfLevels(options, finest), finest,
                                        progress.part(share, 1))) {
       runs.front().report.lods.push_back(run.report);
       runs.push_back(std::move(run));
@@ -339,17 +390,25 @@ std::vector<SceneRun> simplifiedLevels(const std::vector<io::Part>& originals,
     const InspectedParts inspected(finest.parts);
     std::vector<SceneRun> runs;
     const double count = double(options.lods.size());
-    for (const double share : options.lods) {
+    for (const double wanted : options.lods) {
       PhaseClock clock;
       const double begin = double(runs.size()) / count;
       const Progress part = progress.part(begin, begin + 1 / count).timedBy(clock);
-      runs.push_back(simplified(inspected, optionsOfSimplified(options, share, finest.report),
-                                runs.empty() ? finest : runs.back(), part));
-      Report& report = runs.back().report;
-      report.input = finest.report.input;
-      report.fidelity =
-          fidelityOf({originals, runs.back().parts, placesOf(originals)}, Maximum::Sampled, {});
-      report = timed(std::move(report), clock);
+      const SceneRun& finer = runs.empty() ? finest : runs.back();
+      // A share of the vertices, or their number.
+      const auto levelOf = [&](double share) {
+        SceneRun run = simplified(
+            inspected, optionsOfSimplified(options, share, finest.report), finer, part);
+        run.report.input = finest.report.input;
+        run.report.fidelity =
+            fidelityOf({originals, run.parts, placesOf(originals)}, Maximum::Sampled, {});
+        return run;
+      };
+      SceneRun run = options.lodsBy == LodsBy::Shares ? levelOf(wanted)
+                                                      : fewestWithin(wanted, finer.report, levelOf);
+      run.report.takesOver = switchTo(run.report, finer.report);
+      run.report = timed(std::move(run.report), clock);
+      runs.push_back(std::move(run));
     }
     return runs;
   });

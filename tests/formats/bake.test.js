@@ -5,8 +5,10 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import { generateTangents } from 'mikktspace';
-import { remesh, remeshFile } from 'remesher';
+import { inspect, remesh, remeshFile } from 'remesher';
 
+import { compileCodec } from '../../dist/platform_node.js';
+import { ImageCodecs } from '../../dist/textures/image_codecs.js';
 import { addChart, columns, layOut, rows, texels } from '../support/atlas_torus.js';
 import { baked, colourSteps, forEachTexel, halved, linear } from '../support/baked.js';
 import { rejectsWith } from '../support/errors.js';
@@ -248,6 +250,39 @@ test('images in every format, in and out, within a .glb and beside a .gltf', asy
     assert.deepEqual(await validate(again), []);
     const ending = textureFormat === 'webp' ? 'webp' : 'jpg';  // WebP stays WebP
     assert.ok(again.files.some(({ name }) => name === `again_baseColor.${ending}`));
+  }
+});
+
+/** A map of normals that lean a little, as a JPEG or a PNG. @param {'image/jpeg' | 'image/png'} type */
+function leaning(type) {
+  const width = 64;
+  const pixels = Uint8Array.from({ length: 4 * width * width }, (_, at) =>
+    [118 + (at >> 4) % 20, 128, 250, 255][at % 4]);
+  return new ImageCodecs({ compile: compileCodec })
+    .encode({ name: '', type, width, height: width, texels: pixels });
+}
+
+test('maps of normals stay JPEG if they were, and the report lists the images', async () => {
+  for (const type of /** @type {const} */ (['image/jpeg', 'image/png'])) {
+    const normals = await leaning(type);
+    const file = paintedTorus((maker) => {
+      const { tree } = maker;
+      const view = maker.addView(normals);
+      tree.images.push({ bufferView: view, mimeType: type });
+      tree.textures.push({ source: 1 });
+      tree.materials[0].normalTexture = { index: 1 };
+    });
+    const result = await bake(file, { vertices: 150, textureSize: 64 });
+    assert.deepEqual(await validate(result), []);
+    const { tree } = openGltf(result);
+    assert.equal(tree.images.find(({ name }) => name === 'normal').mimeType, type);
+    assert.deepEqual(result.report.textures.map((one) => [one.name, one.type, one.width]),
+      tree.images.map(({ name, mimeType }) => [name, mimeType, 64]));
+    assert.deepEqual(result.report.textures.map(({ bytes }) => bytes), tree.images.map((image) =>
+      tree.bufferViews[image.bufferView].byteLength));
+    const { textures } = await inspect(file.bytes, { name: 'a.glb' });
+    assert.deepEqual(textures[1], { name: '1', type, width: 64, height: 64,
+      bytes: normals.length });
   }
 });
 

@@ -154,6 +154,29 @@ test('the command line has them too', () => {
   assert.match(readFileSync(join(folder, 'each_lod2.ply'), 'latin1'), /element vertex 100\n/);
 });
 
+test('levels by pixels are off by no more, with fewer vertices, and say when they take over',
+  async () => {
+    const fine = new TextEncoder().encode(offText(torus({ columns: 96, rows: 48 })));
+    const result = await remeshFile(fine,
+      { name: 'a.off', output: 'a.glb', quality: 'draft', lods: ['1px', '4px'] });
+    assert.deepEqual(await validate(result), []);
+    const { report } = result;
+    const [first, second] = report.lods;
+    const pixels = report.lods.map(({ fidelity }) => fidelity.hausdorff / 100 * 1080);
+    assert.ok(pixels[0] <= 1 && pixels[1] <= 4, `${pixels} px`);
+    assert.ok(pixels[0] > 0.3 && pixels[1] > 1.5, `${pixels} px`);
+    assert.ok(first.output.vertices < report.output.vertices);
+    assert.ok(second.output.vertices < first.output.vertices);
+    assert.ok(second.takesOver.distance > first.takesOver.distance);
+    // Where it takes over, its distance is a pixel: 1080 are twice the tangent of 25 degrees.
+    const seen = second.fidelity.hausdorff / 100 * report.diagonal * 1080
+      / (2 * second.takesOver.distance * Math.tan(25 * Math.PI / 180));
+    assert.ok(Math.abs(seen - 1) < 1e-6);
+    const { tree } = openGltf(result);
+    assert.deepEqual(tree.nodes[0].extras.MSFT_screencoverage,
+      [first.takesOver.coverage, second.takesOver.coverage, 0]);
+  });
+
 test('what cannot be is refused in a sentence', async () => {
   const file = (options) => remeshFile(off, { name: 'torus.off', vertices: 400, ...options });
   await rejectsWith(file({ lods: [0.5], output: 'obj' }), 'INVALID_OPTION',

@@ -68,7 +68,7 @@ export function remesh(options = {}) {
     const places = placesOfMeshes(document);
     const { meshes, report } = await remeshScene(parts.map(({ mesh, streams }) => ({
       mesh: joined(streams.map(({ pool }) => pool)), places: places.get(mesh) ?? [],
-    })), options);
+    })), { units: 'm', ...options });
     parts.forEach((part, i) => writePart(document, part, meshes[i]));
     log(logger, report);
   });

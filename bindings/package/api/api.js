@@ -55,15 +55,18 @@ import { bakeNames, checkOptions, checkOwn, checkRepair } from '../base/options.
  * @property {NamedBytes[]} files This file first, then those it refers to (a .bin, a .mtl) and
  *   those of levels of detail, by names that lead nowhere but into one folder.
  * @property {Warning[]} warnings What the result lacks.
+ * @property {import('../base/messages.js').Compression} [compression] If it was asked for.
  */
 
+/** @typedef {Pick<RemeshOptions, 'compress'>} ConvertOptions */
+
 /**
- * @typedef {Omit<ConvertFileResult, 'warnings'> & Pick<RemeshResult, 'report'>}
+ * @typedef {Omit<ConvertFileResult, 'warnings' | 'compression'> & Pick<RemeshResult, 'report'>}
  *   RemeshFileResult
  */
 
 /**
- * @typedef {Omit<ConvertFileResult, 'warnings'> & Pick<RepairResult, 'report'>}
+ * @typedef {Omit<ConvertFileResult, 'warnings' | 'compression'> & Pick<RepairResult, 'report'>}
  *   RepairFileResult
  */
 
@@ -85,7 +88,7 @@ import { bakeNames, checkOptions, checkOwn, checkRepair } from '../base/options.
  */
 
 /**
- * @typedef {Omit<ConvertFileResult, 'warnings'> & Pick<BooleanResult, 'report'>}
+ * @typedef {Omit<ConvertFileResult, 'warnings' | 'compression'> & Pick<BooleanResult, 'report'>}
  *   BooleanFilesResult
  */
 
@@ -306,15 +309,16 @@ export class Api extends ArraysApi {
 
   /**
    * @param {Bytes} bytes
-   * @param {FileOptions & OutputOptions & RunOptions} [options]
+   * @param {ConvertOptions & FileOptions & OutputOptions & RunOptions} [options]
    * @returns {Promise<ConvertFileResult>}
    */
   async convertFile(bytes, options = {}) {
-    refuseOthers(options, [...runNames, ...fileNames, 'output']);
+    refuseOthers(options, [...runNames, ...fileNames, 'output', 'compress']);
+    const checked = checkOptions({ compress: options.compress });
     const file = await fileRequest(bytes, options);
-    const { files, warnings } = await this.#client.run(
-      { kind: 'convertFile', file }, fileBuffers(file), options);
-    return { ...files[0], files, warnings };
+    const { files, warnings, compression } = await this.#client.run(
+      { kind: 'convertFile', file, options: checked }, fileBuffers(file), options);
+    return { ...files[0], files, warnings, ...(compression ? { compression } : {}) };
   }
 
   /**

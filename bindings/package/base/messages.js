@@ -66,7 +66,7 @@
  *   | { kind: 'bakeFile', files: [FileRequest, FileRequest], options: Record<string, unknown> }
  *   | { kind: 'unwrap', mesh: Mesh, options: Record<string, unknown> }
  *   | { kind: 'unwrapFile', file: FileRequest, options: Record<string, unknown> }
- *   | { kind: 'convertFile', file: FileRequest }
+ *   | { kind: 'convertFile', file: FileRequest, options: Record<string, unknown> }
  *   | { kind: 'inspect', mesh: Mesh, closely?: { faults: boolean, edges: boolean } }
  *   | { kind: 'inspectFile', file: FileRequest, faults?: boolean }} Job
  */
@@ -205,12 +205,26 @@
  * @typedef {object} Inspection
  * @property {string} version The version of remesher.
  * @property {MeshReport} input The mesh as it came.
+ * @property {number} diagonal Of the bounding box of what came, in model units.
+ * @property {string} [unit] What lengths are in: `mm`, `cm`, `m`, `in`, as was said or by the file;
+ *   of 3MF `µm` and `ft` too. Unknown without it.
  * @property {Timings} timings How long the steps took.
  * @property {Memory} memory How much memory the run took.
  * @property {Phase[]} phases All phases of the run, in order.
  * @property {Warning[]} warnings What was mended or left out.
+ * @property {Texture[]} [textures] The images of a glTF file: of an inspected one, or of the result.
  * @property {FaultSummary} [faults] What is broken, if the inspection was asked for it.
  * @property {EdgeSummary} [edges] The edges by kind, if the inspection was asked for them.
+ */
+
+/**
+ * An image of a glTF file.
+ * @typedef {object} Texture
+ * @property {string} name Its own, its file's, or its number.
+ * @property {string} type Such as `image/png`.
+ * @property {number} [width] Texels, if its header says so.
+ * @property {number} [height] Texels.
+ * @property {number} bytes Its size in the file.
  */
 
 /**
@@ -326,7 +340,7 @@
 /**
  * `chosen` says whether the mesh was kept or repaired.
  * @typedef {Inspection & { output: MeshReport, repair: RepairSummary, dropped?: DropSummary,
- *   chosen: Chosen | Chosen[] }}
+ *   compression?: Compression, chosen: Chosen | Chosen[] }}
  *   RepairReport
  */
 
@@ -365,13 +379,33 @@
  */
 
 /**
+ * How the written glTF was compressed.
+ * @typedef {object} Compression
+ * @property {'meshopt' | 'draco'} method As was asked for.
+ * @property {number} before Bytes of all files without it.
+ * @property {number} after Bytes of all files.
+ * @property {number} error The farthest that rounding moves a position, in percent of its mesh's
+ *   diagonal.
+ */
+
+/**
+ * When a level of detail may be shown instead of the finer one: its largest distance is then seen
+ * as one pixel of 1080.
+ * @typedef {object} Switch
+ * @property {number} coverage The share of a screen of 1920 × 1080 that the disk around the model
+ *   covers, as `MSFT_screencoverage` has it.
+ * @property {number} distance The camera's from the model, in model units, at an upright angle of
+ *   view of 50 degrees: for `LOD.addLevel` of three.js.
+ */
+
+/**
  * The options that a preset stood for, by their names.
  * @typedef {Record<string, string | number | boolean>} PresetOptions
  */
 
 /**
  * @typedef {Inspection & RunReport & { preset?: PresetOptions, repair?: RepairSummary,
- *   dropped?: DropSummary,
+ *   dropped?: DropSummary, takesOver?: Switch, compression?: Compression,
  *   lods?: RemeshReport[] }} RemeshReport
  */
 

@@ -7,6 +7,7 @@
 
 import { RemeshError } from './errors.js';
 import { legible } from './legible.js';
+import { lengthFrom, pixelsFrom, takesLength, units } from './lengths.js';
 import { OptionRules } from './option_rules.js';
 import { presets, withPreset } from './presets.js';
 
@@ -61,6 +62,9 @@ export const optionTable = [
     help: 'the number of vertices as a share of the input’s' },
   { name: 'edgeLength', flag: '--edge-length L', type: 'number', above: 0, unit: 'model units',
     help: 'the number of vertices from a mean edge length' },
+  { name: 'units', flag: '--units U', type: 'choice', choices: units, form: false,
+    help: 'of the model’s lengths, so that options can be lengths with a unit, like 0.1mm; if not '
+      + 'given those of the file: metres of glTF, what a 3MF says, none of others' },
   { name: 'scheme', flag: '--scheme S', type: 'choice', choices: ['best', 'rounds'],
     default: 'best', help: 'rounds: the published method step by step; best: our own' },
   { name: 'quality', flag: '--quality Q', type: 'choice', choices: ['draft', 'best'],
@@ -130,8 +134,9 @@ export const optionTable = [
   { name: 'textureFormat', flag: '--texture-format F', type: 'choice',
     choices: ['png', 'jpeg', 'webp'],
     needs: [{ textures: ['bake'] }, { textures: ['auto'], repair: ['auto', 'solid', 'wrap'] }],
-    help: 'of baked textures; jpeg (if not given, and not all images were WebP) leaves normals '
-      + 'and alpha to png' },
+    help: 'of baked textures; if not given the one that images came in: webp if all were '
+      + 'WebP, else jpeg, but png for alpha, and for normals that were no JPEG; jpeg leaves alpha '
+      + 'to png' },
   { name: 'cage', flag: '--cage P', type: 'number', above: 0, max: 50,
     unit: '% of the diagonal', form: false,
     needs: [{ textures: ['bake'] }],
@@ -182,12 +187,18 @@ export const optionTable = [
   { name: 'dropHidden', flag: '--drop-hidden', type: 'boolean', default: false,
     help: 'leave out triangles that nobody sees from outside; all others stay as they are' },
   { name: 'lods', flag: '--lods R,R,…', type: 'shares', form: false,
-    help: 'coarser levels of detail beside the result, by their shares of its vertices, each from '
-      + 'the original, or with baked textures from the result, whose maps they share; in a glTF '
-      + 'file by MSFT_lod' },
+    help: 'coarser levels of detail beside the result, by their shares of its vertices, or by what '
+      + 'is seen of them: 1px,2px,4px are off by no more than so many pixels where the model is '
+      + '1080 high; each from the original, or with baked textures from the result, whose maps '
+      + 'they share; in a glTF file by MSFT_lod' },
   { name: 'lodFiles', flag: '--lod-files', type: 'boolean', default: false, form: false,
     needs: [{ lods: true }],
     help: 'a file for each level of detail, called after the result, not one for all' },
+  { name: 'compress', flag: '--compress C', type: 'choice', choices: ['meshopt', 'draco'],
+    form: false,
+    help: 'of glTF that is written: meshopt decodes fast and keeps the order of all triangles; '
+      + 'draco is smaller; either moves positions by no more than a thousandth of a percent of '
+      + 'the diagonal' },
   { name: 'density', type: 'floats',
     help: 'relative vertex density, one value per input vertex' },
   { name: 'featureEdges', type: 'pairs',
@@ -257,11 +268,14 @@ function editDistance(a, b) {
 export function rangeInWords(option) {
   if (option.choices) return `one of ${option.choices.join(', ')}`;
   if (option.type === 'boolean') return 'true or false';
-  if (option.type === 'shares') return `1 to ${mostLods} numbers above 0`;
+  if (option.type === 'shares') {
+    return `1 to ${mostLods} numbers above 0, or so many with px behind them`;
+  }
   if (option.type === 'floats') return 'a Float32Array with one value per vertex';
   if (option.type === 'pairs') return 'a Uint32Array of vertex pairs, or an array of pairs';
   const kind = option.type === 'integer' ? 'a whole number' : 'a number';
-  const off = option.word ? `, or ${option.word}` : '';
+  const length = takesLength(option) ? ', a length like 0.1mm' : '';
+  const off = `${length}${option.word ? `, or ${option.word}` : ''}`;
   const most = option.max === undefined ? '' : `, up to ${option.max}`;
   if (option.above !== undefined) return `${kind} above ${option.above}${most}${off}`;
   return `${kind} from ${option.min} to ${option.max}${off}`;
@@ -269,8 +283,10 @@ export function rangeInWords(option) {
 
 /** @param {unknown} value */
 function areShares(value) {
-  return (Array.isArray(value) || value instanceof Float64Array) && value.length >= 1
-    && value.length <= mostLods && value.every((share) => Number.isFinite(share) && share > 0);
+  if (!(Array.isArray(value) || value instanceof Float64Array)) return false;
+  if (value.length < 1 || value.length > mostLods) return false;
+  return value.every((share) => Number.isFinite(share) && share > 0)
+    || value.every((share) => pixelsFrom(share) !== undefined);
 }
 
 /** @param {Option} option @param {unknown} value @returns {boolean} */
@@ -287,7 +303,8 @@ function isAllowed(option, value) {
     case 'pairs':
       return value instanceof Uint32Array || Array.isArray(value);
     default:
-      return (option.word !== undefined && value === option.word) || isInRange(option, value);
+      return (option.word !== undefined && value === option.word)
+        || isLength(option, value) || isInRange(option, value);
   }
 }
 
@@ -335,7 +352,9 @@ function flattened(pairs) {
 /** The value in the form that travels to the core. @param {Option} option @param {any} value */
 function canonical(option, value) {
   if (option.type === 'floats') return Float32Array.from(value);
-  if (option.type === 'shares') return Float64Array.from(value);
+  if (option.type === 'shares') {
+    return pixelsFrom(value[0]) === undefined ? Float64Array.from(value) : [...value];
+  }
   return option.type === 'pairs' ? flattened(value) : value;
 }
 
@@ -344,8 +363,11 @@ function canonical(option, value) {
 function isValueOf(option, word) {
   if (option.choices) return option.choices.includes(word);
   const isNumber = option.type === 'integer' || option.type === 'number';
-  return isNumber && word !== '' && Number.isFinite(Number(word));
+  return isNumber && word !== '' && (Number.isFinite(Number(word)) || isLength(option, word));
 }
+
+/** @param {Option} option @param {unknown} value */
+const isLength = (option, value) => takesLength(option) && lengthFrom(value) !== undefined;
 
 /**
  * A sentence for programs: our sentences name options as the command line does, `--sheets drop`;
@@ -359,7 +381,7 @@ export function inJavaScript(text) {
     if (!option) return whole;
     const rest = word === '' ? '' : ` ${word}`;
     if (!isValueOf(option, word)) return option.name + rest;
-    return `${option.name}: ${option.choices ? `'${word}'` : word}`;
+    return `${option.name}: ${option.choices || isLength(option, word) ? `'${word}'` : word}`;
   });
 }
 
@@ -378,7 +400,7 @@ export const targetNames = /** @type {const} */ ([
 export const repairNames =
   /** @type {const} */ (['repair', 'holesUpTo', 'gap', 'cavities', 'sheets', 'keepRims',
     'thickness', 'base', 'unite', 'dropBelow', 'dropHidden', 'textures', 'textureSize',
-    'textureFormat', 'weld']);
+    'textureFormat', 'weld', 'units', 'compress']);
 
 /** @typedef {typeof repairNames[number]} RepairName */
 

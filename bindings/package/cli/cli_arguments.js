@@ -6,6 +6,7 @@ import { extname } from 'node:path';
 import { RemeshError } from '../base/errors.js';
 import { formats, inWords } from '../base/formats.js';
 import { legible } from '../base/legible.js';
+import { lengthFrom, pixelsFrom, takesLength } from '../base/lengths.js';
 import { isFolder } from './plan.js';
 import {
   bakeNames, checkOptions, checkOwn, checkValue, defaultInWords, nearest, optionTable, repairNames,
@@ -69,8 +70,10 @@ function wrongUse(message, hint = 'remesher --help lists the options.') {
 /** @param {Option} option @param {string} text */
 function valueFrom(option, text) {
   const numberOf = (/** @type {string} */ word) => (word.trim() === '' ? NaN : Number(word));
-  const isNumber = (option.type === 'integer' || option.type === 'number') && text !== option.word;
-  const value = option.type === 'shares' ? text.split(',').map(numberOf)
+  const isNumber = (option.type === 'integer' || option.type === 'number') && text !== option.word
+    && !(takesLength(option) && lengthFrom(text));
+  const shareOf = (/** @type {string} */ word) => (pixelsFrom(word) ? word.trim() : numberOf(word));
+  const value = option.type === 'shares' ? text.split(',').map(shareOf)
     : isNumber ? numberOf(text) : text;
   checkValue(option, value, String(flagOf(option)), Number.isFinite(value) ? value : text);
   return value;
@@ -237,8 +240,10 @@ function checkOutput(line) {
     throw wrongUse(`remesher ${line.command} does not remesh: ${flagOf(foreign)} does not belong `
       + 'there.');
   }
-  if (foreign && (line.command === 'convert' || line.command === 'inspect')) {
-    throw wrongUse(`remesher ${line.command} changes no triangles: ${flagOf(foreign)} does not `
+  const unfit = optionTable.find(({ name }) => line.options[name] !== undefined
+    && !(name === 'compress' && line.command === 'convert'));
+  if (unfit && (line.command === 'convert' || line.command === 'inspect')) {
+    throw wrongUse(`remesher ${line.command} changes no triangles: ${flagOf(unfit)} does not `
       + 'belong there.');
   }
   const alien = optionTable.find(({ name }) =>

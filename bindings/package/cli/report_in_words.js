@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Turns reports into text for people.
 
+import { legible } from '../base/legible.js';
+import { lengthInWords } from '../base/lengths.js';
+
 /** @typedef {import('../base/messages.js').MeshReport} MeshReport */
 
 /** @param {number} count @param {string} thing */
@@ -41,10 +44,25 @@ function meshInWords(title, mesh) {
   ].join('\n');
 }
 
-/** @param {import('../base/messages.js').Distances} fidelity */
-function distanceInWords({ hausdorff, rms }) {
-  return `distance to the input: ${hausdorff.toFixed(4)} % at the farthest `
-    + `point found, ${rms.toFixed(4)} % RMS, of the diagonal`;
+/**
+ * Distances in percent, and in the model's unit if it is known.
+ * @param {import('../base/messages.js').Distances} fidelity
+ * @param {{ diagonal: number, unit?: string }} model
+ */
+function distanceInWords({ hausdorff, rms }, { diagonal, unit }) {
+  const length = (/** @type {number} */ percent) => (unit === undefined ? ''
+    : ` (${lengthInWords(percent / 100 * diagonal, unit, diagonal)})`);
+  return `distance to the input: ${hausdorff.toFixed(4)} %${length(hausdorff)} at the farthest `
+    + `point found, ${rms.toFixed(4)} %${length(rms)} RMS, of the diagonal`;
+}
+
+/** @param {import('../base/messages.js').Switch} takesOver
+ * @param {{ diagonal: number, unit?: string }} model */
+function switchInWords({ coverage, distance }, { diagonal, unit }) {
+  const far = unit === undefined ? `${Number(distance.toPrecision(3))}`
+    : lengthInWords(distance, unit, diagonal);
+  return `  may be shown from a distance of ${far} on (view of 50°), or below `
+    + `${(100 * coverage).toPrecision(3)} % of the screen`;
 }
 
 const reasons = {
@@ -159,6 +177,25 @@ function presetInWords(preset) {
   return `preset, in full: ${flags.join(' ') || 'all of its options were given otherwise'}`;
 }
 
+/** @param {number} bytes */
+const sizeInWords = (bytes) => (bytes < 1e6
+  ? `${(bytes / 1e3).toPrecision(3)} kB` : `${(bytes / 1e6).toPrecision(3)} MB`);
+
+/** @param {import('../base/messages.js').Texture[]} textures */
+function texturesInWords(textures) {
+  const told = textures.map(({ name, type, width, height, bytes }) =>
+    `  ${legible(name)}: ${width === undefined ? '' : `${width} × ${height}, `}`
+      + `${type.replace('image/', '')}, ${sizeInWords(bytes)}`);
+  const all = textures.reduce((sum, { bytes }) => sum + bytes, 0);
+  return [`${counted(textures.length, 'texture')}, ${sizeInWords(all)}:`, ...told].join('\n');
+}
+
+/** @param {import('../base/messages.js').Compression} compression */
+function compressionInWords({ method, before, after, error }) {
+  return `compressed by ${method}: ${sizeInWords(before)} became ${sizeInWords(after)}; positions `
+    + `moved by at most ${Number(error.toPrecision(2))} % of the diagonal`;
+}
+
 /** @param {any} report of a run, of an inspection, or warnings alone */
 export function reportInWords(report) {
   const parts = [];
@@ -170,11 +207,14 @@ export function reportInWords(report) {
   if (report.boolean) parts.push(booleanInWords(report.boolean));
   if (report.atlas) parts.push(atlasInWords(report.atlas));
   if (report.output) parts.push(meshInWords('output', report.output));
-  if (report.fidelity) parts.push(distanceInWords(report.fidelity));
+  if (report.fidelity) parts.push(distanceInWords(report.fidelity, report));
   if (report.chosen) parts.push(chosenInWords(report.chosen));
-  for (const [i, { output, fidelity }] of (report.lods ?? []).entries()) {
-    parts.push(meshInWords(`level of detail ${i + 1}`, output), distanceInWords(fidelity));
+  for (const [i, { output, fidelity, takesOver }] of (report.lods ?? []).entries()) {
+    parts.push(meshInWords(`level of detail ${i + 1}`, output), distanceInWords(fidelity, report));
+    if (takesOver) parts.push(switchInWords(takesOver, report));
   }
+  if (report.textures?.length > 0) parts.push(texturesInWords(report.textures));
+  if (report.compression) parts.push(compressionInWords(report.compression));
   for (const { message } of report.warnings) parts.push(`warning: ${message}`);
   if (report.stopped && report.stopped !== 'target') {
     parts.push(`stopped before the target by: ${report.stopped}`);

@@ -106,8 +106,9 @@ async function work({ command, outputName: output, options }, api, [file, second
     case 'inspect':
       return { files: [], report: { ...await api.inspect(bytes, { ...about, faults: true }) } };
     case 'convert': {
-      const { files, warnings } = await api.convertFile(bytes, { ...about, output });
-      return { files, report: { warnings } };
+      const { files, warnings, compression } =
+        await api.convertFile(bytes, { ...options, ...about, output });
+      return { files, report: { warnings, ...(compression ? { compression } : {}) } };
     }
     case 'repair':
       return api.repairFile(bytes, { ...options, ...about, output });

@@ -3,6 +3,7 @@
 // successor KHR_meshopt_compression) and KHR_draco_mesh_compression. The decoders are loaded when
 // the first file needs them. The result is a GLB whatever the file was: all its buffers in one.
 
+import { joinBuffers, loadBuffers, slice } from './buffer_views.js';
 import { requireDistinct, requireHolds, requireLength } from './claims.js';
 import { settleAccessors } from './decoded_accessors.js';
 import { decodeDracoPrimitives, dracoExtension } from './draco.js';
@@ -12,82 +13,9 @@ import { legible } from '../base/legible.js';
 import { openContainer, packGlb } from './gltf_container.js';
 
 /** @typedef {import('../base/messages.js').FileRequest} FileRequest */
-/** @typedef {import('../base/messages.js').NamedBytes} NamedBytes */
 
 const meshoptExtensions = ['EXT_meshopt_compression', 'KHR_meshopt_compression'];
 const compressions = [...meshoptExtensions, dracoExtension];
-
-/** @param {string} path */
-const baseName = (path) => path.slice(Math.max(path.lastIndexOf('/'), path.lastIndexOf('\\')) + 1);
-
-/** A malformed URI stays as it is. @param {string} uri */
-function percentDecoded(uri) {
-  try {
-    return decodeURIComponent(uri);
-  } catch {
-    return uri;
-  }
-}
-
-/**
- * A function that finds what a URI means among the files given: a file may name thousands.
- * @param {NamedBytes[]} resources
- */
-function finderAmong(resources) {
-  /** @type {Map<string, NamedBytes>} */
-  const exact = new Map();
-  /** @type {Map<string, NamedBytes | undefined>} */
-  const alike = new Map();
-  for (const file of resources) {
-    if (!exact.has(file.name)) exact.set(file.name, file);
-    const base = baseName(file.name);
-    alike.set(base, alike.has(base) ? undefined : file);
-  }
-  return (/** @type {string} */ uri) => {
-    const decoded = percentDecoded(uri);
-    return exact.get(uri) ?? exact.get(decoded) ?? alike.get(baseName(decoded));
-  };
-}
-
-/** @param {string} uri */
-function decodeDataUri(uri) {
-  const [head, data] = [uri.slice(0, uri.indexOf(',')), uri.slice(uri.indexOf(',') + 1)];
-  if (!head.endsWith(';base64')) return new TextEncoder().encode(decodeURIComponent(data));
-  return Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0));
-}
-
-/**
- * The bytes of each buffer; none for buffers that only stand in for compressed data.
- * @param {any} tree
- * @param {Uint8Array | undefined} chunk
- * @param {FileRequest} file
- * @returns {Uint8Array[]}
- */
-function loadBuffers(tree, chunk, file) {
-  const find = finderAmong(file.resources);
-  return (tree.buffers ?? []).map((/** @type {any} */ { uri }, /** @type {number} */ i) => {
-    if (uri === undefined) return i === 0 && chunk ? chunk : new Uint8Array();
-    if (uri.startsWith('data:')) return decodeDataUri(uri);
-    const resource = find(uri);
-    if (!resource) {
-      throw new RemeshError('MISSING_RESOURCE',
-        `${legible(file.name)}: it needs ${legible(uri)}, which was not given.`,
-        `Keep ${legible(uri)} beside the file, or give both together.`);
-    }
-    return resource.bytes;
-  });
-}
-
-/**
- * @param {Uint8Array} bytes
- * @param {{ byteOffset?: number, byteLength: number }} view
- */
-function slice(bytes, { byteOffset = 0, byteLength }) {
-  if (![byteOffset, byteLength].every(Number.isInteger)) throw new TypeError('not a range');
-  const isInside = byteOffset >= 0 && byteLength >= 0 && byteOffset + byteLength <= bytes.length;
-  if (!isInside) throw new Error('a range reaches beyond its buffer');
-  return bytes.subarray(byteOffset, byteOffset + byteLength);
-}
 
 /** The sizes of elements that each mode and filter knows: the decoder itself trusts them. */
 const isStride = /** @type {Record<string, (stride: number) => boolean>} */ ({
@@ -164,26 +92,6 @@ function forgetCompressions(tree) {
     tree[list] = tree[list].filter((/** @type {string} */ name) => !compressions.includes(name));
     if (tree[list].length === 0) delete tree[list];
   }
-}
-
-/**
- * All buffer views in one buffer.
- * @param {any} tree
- * @param {Uint8Array[]} contents per buffer view
- * @returns {Uint8Array}
- */
-function joinBuffers(tree, contents) {
-  const alignment = 8;
-  let length = 0;
-  contents.forEach((bytes, i) => {
-    Object.assign(tree.bufferViews[i],
-      { buffer: 0, byteOffset: length, byteLength: bytes.length });
-    length += Math.ceil(bytes.length / alignment) * alignment;
-  });
-  const joined = new Uint8Array(length);
-  contents.forEach((bytes, i) => joined.set(bytes, tree.bufferViews[i].byteOffset));
-  tree.buffers = [{ byteLength: length }];
-  return joined;
 }
 
 /**

@@ -5,7 +5,7 @@ import { isGltf } from '../base/contents.js';
 import { RemeshError } from '../base/errors.js';
 import { legible } from '../base/legible.js';
 import { referencesOf } from '../codecs/resources.js';
-import { imagesOf, withImages } from './gltf_images.js';
+import { imagesOf, normalsOf, withImages } from './gltf_images.js';
 import { ImageCrew } from './image_crew.js';
 import { imageHeader } from './image_header.js';
 
@@ -29,6 +29,7 @@ export class Baker {
   #crew;
   #onProgress;
   #areWebp = false;
+  #areNormalsJpeg = false;
 
   /**
    * @param {import('./image_codecs.js').CodecSource} source
@@ -63,6 +64,9 @@ export class Baker {
     const images = isGltf(file.bytes) ? imagesOf(file) : imagesBeside(file);
     this.#areWebp = images.length > 0
       && images.every(({ bytes }) => imageHeader(bytes)?.type === 'image/webp');
+    const normals = isGltf(file.bytes) ? normalsOf(file) : [];
+    this.#areNormalsJpeg = normals.length > 0
+      && normals.every((bytes) => imageHeader(bytes)?.type === 'image/jpeg');
     const decoded = await this.#crew.run(
       images.map(({ label, bytes }) => ({ work: 'decode', image: { name: label, bytes } })),
       (done) => this.#tell('decode images', shares.decoding * done / (images.length || 1)));
@@ -70,8 +74,17 @@ export class Baker {
     return { ...file, pictures };
   }
 
-  /** @param {any} outcome as the core gives it */
-  async closed({ pictures = [], ...outcome }) {
+  /** Normals as JPEG where they came so and no format was asked for, or where that was.
+   * @param {Picture} picture @param {unknown} format as it was asked for @returns {Picture} */
+  #settled(picture, format) {
+    const isJpeg = format === 'jpeg' || (format === undefined && this.#areNormalsJpeg);
+    return isJpeg && picture.name === 'normal' ? { ...picture, type: 'image/jpeg' } : picture;
+  }
+
+  /** @param {any} outcome as the core gives it
+   * @param {unknown} [format] of textures, as it was asked for */
+  async closed({ pictures: made = [], ...outcome }, format) {
+    const pictures = made.map((/** @type {Picture} */ one) => this.#settled(one, format));
     const bytes = await this.#crew.run(
       pictures.map((/** @type {Picture} */ image) => ({ work: 'encode', image })),
       (done) => this.#tell('encode images',

@@ -5,9 +5,11 @@
 import { openContainer, packGlb } from '../codecs/gltf_container.js';
 import { RemeshError } from '../base/errors.js';
 import { legible } from '../base/legible.js';
+import { imageHeader } from './image_header.js';
 
 /** @typedef {import('../base/messages.js').FileRequest} FileRequest */
 /** @typedef {import('../base/messages.js').NamedBytes} NamedBytes */
+/** @typedef {import('../base/messages.js').Texture} Texture */
 
 const placeholder = /^painting:(\d+)$/;
 const extensions = /** @type {Record<string, string>} */ (
@@ -85,19 +87,53 @@ function paintedFrom(tree) {
     Number.isInteger(number) && tree.images?.[number] !== undefined);
 }
 
+/** The tree of a file, and the binary data in it; an empty one if it cannot be read, of which the
+ * core says what is wrong. @param {{ bytes: Uint8Array }} file */
+function opened({ bytes }) {
+  const { text, chunk = new Uint8Array() } = openContainer(bytes);
+  try {
+    return { tree: Object(JSON.parse(text)), chunk };
+  } catch {
+    return { tree: {}, chunk };
+  }
+}
+
+/** The images that materials show as maps of normals. @param {FileRequest} file */
+export function normalsOf(file) {
+  const { tree, chunk } = opened(file);
+  const materials = Array.isArray(tree.materials) ? tree.materials.map(Object) : [];
+  const numbers = new Set(materials.map((/** @type {any} */ { normalTexture }) =>
+    sourceOf(tree.textures?.[normalTexture?.index])));
+  return [...numbers].filter((number) => tree.images?.[number] !== undefined)
+    .map((number) => bytesOf(Object(tree.images[number]), tree, chunk, file) ?? new Uint8Array());
+}
+
+/**
+ * All images of a glTF file, with their sizes; those that were not given are left out.
+ * @param {Pick<FileRequest, 'name' | 'bytes' | 'resources'>} file
+ * @returns {Texture[]}
+ */
+export function texturesOf(file) {
+  const { tree, chunk } = opened(file);
+  const images = Array.isArray(tree.images) ? tree.images.map(Object) : [];
+  return images.flatMap((/** @type {any} */ image, /** @type {number} */ i) => {
+    const bytes = bytesOf(image, tree, chunk, /** @type {FileRequest} */ (file));
+    if (!bytes?.length) return [];
+    const { type, width, height } = imageHeader(bytes) ?? { type: String(image.mimeType ?? '') };
+    const named = [image.name, image.uri].find((name) =>
+      typeof name === 'string' && !name.startsWith('data:'));
+    const size = width === undefined ? {} : { width, height };
+    return [{ name: named ?? String(i), type, ...size, bytes: bytes.length }];
+  });
+}
+
 /**
  * The images of a file that new textures are painted from, called by their numbers.
  * @param {FileRequest} file
  * @returns {{ name: string, label: string, bytes: Uint8Array }[]}
  */
 export function imagesOf(file) {
-  const { text, chunk = new Uint8Array() } = openContainer(file.bytes);
-  let tree;
-  try {
-    tree = Object(JSON.parse(text));
-  } catch {
-    return []; // the core says what is wrong
-  }
+  const { tree, chunk } = opened(file);
   return paintedFrom(tree).map((number) => {
     const image = Object(tree.images[number]);
     const called = [image.name, image.uri].find((name) =>
@@ -116,7 +152,7 @@ export function imagesOf(file) {
 const paintingsIn = (tree) => (tree.images ?? []).flatMap((/** @type {any} */ { uri = '' }) =>
   (placeholder.test(uri) ? [Number(placeholder.exec(uri)?.[1])] : []));
 
-/** @param {any} tree @param {Uint8Array} chunk @param {NamedBytes[]} encoded */
+/** @param {any} tree @param {Uint8Array} chunk @param {EncodedImage[]} encoded */
 function embed(tree, chunk, encoded) {
   const alignment = 8;
   const aligned = (/** @type {number} */ length) => Math.ceil(length / alignment) * alignment;
@@ -135,6 +171,7 @@ function embed(tree, chunk, encoded) {
     const [number] = paintingsIn({ images: [image] });
     if (number === undefined) continue;
     delete image.uri;
+    image.mimeType = encoded[number].type;
     tree.bufferViews.push({ buffer: 0, byteOffset: starts.get(number),
       byteLength: encoded[number].bytes.length });
     image.bufferView = tree.bufferViews.length - 1;

@@ -5,6 +5,7 @@
 
 import { isGltf } from '../base/contents.js';
 import { RemeshError } from '../base/errors.js';
+import { inModelUnits, unitOf } from '../base/lengths.js';
 import { withoutPresetBaking } from '../base/presets.js';
 
 /** @typedef {import('../base/messages.js').FileRequest} FileRequest */
@@ -173,6 +174,44 @@ function withPresetSettled(job) {
   return { ...job, options: withoutPresetBaking(job.options) };
 }
 
+/** How the result's glTF is to be compressed. @param {Job} job */
+const compressionOf = (job) => /** @type {'meshopt' | 'draco' | undefined} */ (
+  'options' in job ? job.options?.compress : undefined);
+
+/** @param {Job} job its files neither packed nor compressed */
+const unitOfJob = (job) => unitOf('options' in job ? job.options : {},
+  'file' in job ? job.file : undefined);
+
+/** The job with its lengths in the model's units. @param {Job} job @returns {Job} */
+function withLengthsSettled(job) {
+  if (!('options' in job)) return job;
+  return { ...job, options: inModelUnits(job.options, unitOfJob(job)) };
+}
+
+/** The outcome with the unit of the model in its report, if it is known. @param {Job} job
+ * @param {any} outcome */
+function withUnitSaid(job, outcome) {
+  const unit = unitOfJob(job);
+  if (unit === undefined || job.kind === 'booleanFiles' || job.kind === 'convertFile') {
+    return outcome;
+  }
+  return outcome.report ? { ...outcome, report: { ...outcome.report, unit } }
+    : { ...outcome, unit };
+}
+
+/** The outcome with the textures of the glTF that was inspected, or that a run has made, in its
+ * report. @param {any} outcome @param {Job} job its files neither packed nor compressed */
+async function withTexturesListed(outcome, job) {
+  const isInspected = job.kind === 'inspectFile' && isGltf(job.file.bytes);
+  const isMade = outcome.report && outcome.files && namesGltf(outcome.files[0].name);
+  if (!isInspected && !isMade) return outcome;
+  const { texturesOf } = await scripts.whole();
+  if (isInspected) return { ...outcome, textures: texturesOf(job.file) };
+  const [{ name, bytes }, ...resources] = outcome.files;
+  const textures = texturesOf({ name, bytes, resources });
+  return { ...outcome, report: { ...outcome.report, textures } };
+}
+
 /** The outcome with the options that a preset stood for in its report. @param {Job} job
  * @param {any} outcome */
 function withPresetSaid(job, outcome) {
@@ -226,12 +265,16 @@ export class Engine {
    * @returns {Promise<any>}
    */
   async run(job, onProgress) {
+    if ('file' in job && compressionOf(job)) {
+      (await scripts.whole()).requireCompressible(job.file.output);
+    }
     const settled = withPresetSettled(await plain(job));
-    const outcome = withPresetSaid(settled, await this.#painted(settled, onProgress));
-    if (!outcome.files) return outcome;
+    const outcome = withUnitSaid(settled, withPresetSaid(settled,
+      await this.#painted(withLengthsSettled(settled), onProgress)));
+    if (!outcome.files) return withTexturesListed(outcome, settled);
     const fileOf = (/** @type {Job} */ one) => ('file' in one ? one.file : undefined);
-    return (await scripts.whole()).closed(outcome,
-      { packed: fileOf(job), opened: fileOf(settled) });
+    return (await scripts.whole()).closed(await withTexturesListed(outcome, settled),
+      { packed: fileOf(job), opened: fileOf(settled), compress: compressionOf(job) });
   }
 
   /**
@@ -249,7 +292,7 @@ export class Engine {
       const file = await openedBy(baker, plainJob);
       const options = { textureFormat: baker.usualFormat, ...plainJob.options };
       return await baker.closed(await this.#run({ ...plainJob, file, options },
-        baker.onPainting));
+        baker.onPainting), plainJob.options.textureFormat);
     } finally {
       baker.end();
     }

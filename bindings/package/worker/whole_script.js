@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 // What the whole engine needs of JavaScript.
 
+import { compressed, requireCompressible } from '../codecs/compress.js';
 import { decompress } from '../codecs/decompress.js';
 import { gunzipAll } from '../codecs/gunzip.js';
 import { packThreemf, unpackThreemf } from '../codecs/threemf.js';
+import { texturesOf } from '../textures/gltf_images.js';
 
 /** @typedef {import('../base/messages.js').FileRequest} FileRequest */
+/** @typedef {import('../base/messages.js').NamedBytes} NamedBytes */
 
 export { default as createInstance } from '../remesher.mjs';
 
@@ -19,15 +22,22 @@ export async function opened(job) {
   return { ...job, file: await decompress(await unpackThreemf(await gunzipAll(job.file))) };
 }
 
+export { requireCompressible, texturesOf };
+
 /**
- * A result with its files packed as their formats are.
- * @template {{ files?: import('../base/messages.js').NamedBytes[] }} Result
- * @param {Result} result
- * @param {{ packed?: FileRequest, opened?: FileRequest }} read the file that was read
- * @returns {Promise<Result>}
+ * A result with its files packed as their formats are, and compressed if that was asked for.
+ * @param {any} result
+ * @param {{ packed?: FileRequest, opened?: FileRequest, compress?: 'meshopt' | 'draco' }} read
+ *   the file that was read, and how to compress the one that is written
+ * @returns {Promise<any>}
  */
 export async function closed(result, read) {
   if (!result.files) return result;
-  return { ...result,
-    files: await Promise.all(result.files.map((file) => packThreemf(file, read))) };
+  const files = await Promise.all(
+    result.files.map((/** @type {NamedBytes} */ file) => packThreemf(file, read)));
+  if (!read.compress) return { ...result, files };
+  const { files: smaller, compression } = await compressed(files, read.compress);
+  return result.report
+    ? { ...result, files: smaller, report: { ...result.report, compression } }
+    : { ...result, files: smaller, compression };
 }

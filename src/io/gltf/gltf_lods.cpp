@@ -30,6 +30,17 @@ Json nodeOfLevel(Json node, std::size_t mesh, std::size_t level) {
   return node;
 }
 
+// MSFT_screencoverage: down to which share of the screen each level is shown. The coarsest never
+// goes.
+void setCoverage(Json& node, const std::vector<double>& coverages) {
+  const bool isFree = !node.contains("extras") || node["extras"].is_object();
+  if (coverages.empty() || !isFree) return;
+  Json least = Json::array();
+  for (const double coverage : coverages) least.push_back(coverage);
+  least.push_back(0);
+  node["extras"]["MSFT_screencoverage"] = std::move(least);
+}
+
 void declareExtension(Json& tree) {
   Json& used = tree["extensionsUsed"];
   if (std::find(used.begin(), used.end(), kLevelsExtension) == used.end())
@@ -71,7 +82,8 @@ void LodWriter::moveAlike(std::size_t node, std::size_t other) {
   }
 }
 
-void LodWriter::addNodes(std::size_t node, const std::vector<std::size_t>& meshes) {
+void LodWriter::addNodes(std::size_t node, const std::vector<std::size_t>& meshes,
+                         const std::vector<double>& coverages) {
   Json& nodes = editor_.tree()["nodes"];
   Json numbers = Json::array();
   for (std::size_t i = 0; i < meshes.size(); ++i) {
@@ -81,6 +93,7 @@ void LodWriter::addNodes(std::size_t node, const std::vector<std::size_t>& meshe
     numbers.push_back(added);
   }
   nodes[node]["extensions"][kLevelsExtension] = {{"ids", std::move(numbers)}};
+  setCoverage(nodes[node], coverages);
 }
 
 void LodWriter::add(const FinestLevel& finest, const std::vector<TriangleMesh>& levels) {
@@ -94,7 +107,7 @@ void LodWriter::add(const FinestLevel& finest, const std::vector<TriangleMesh>& 
     rename(tree["meshes"].back(), meshes.size());
     editor_.replaceGeometry(meshes.back(), level, finest.pools, finest.texcoords);
   }
-  for (const std::size_t node : nodesOf_[finest.number]) addNodes(node, meshes);
+  for (const std::size_t node : nodesOf_[finest.number]) addNodes(node, meshes, finest.coverages);
   declareExtension(tree);
 }
 

@@ -18,6 +18,7 @@ struct FinestLevel {
   Json mesh;
   std::vector<VertexPool> pools;
   Texcoords texcoords = Texcoords::Kept;
+  std::vector<double> coverages = {};  // see Part
 };
 
 class LodWriter {
@@ -36,7 +37,8 @@ class LodWriter {
   };
 
   void index();
-  void addNodes(std::size_t node, const std::vector<std::size_t>& meshes);
+  void addNodes(std::size_t node, const std::vector<std::size_t>& meshes,
+                const std::vector<double>& coverages);
   void moveAlike(std::size_t node, std::size_t other);
 
   GltfEditor& editor_;

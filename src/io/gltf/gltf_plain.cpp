@@ -98,7 +98,8 @@ PackedGltf plainGltf(const Model& model) {
   for (std::size_t i = 0; i < model.parts.size(); ++i) {
     const Part& part = model.parts[i];
     const std::vector<VertexPool> pools = poolsOfGroups(part);
-    finest.push_back({i, plainMesh(materials, part, pools), pools, Texcoords::Kept});
+    finest.push_back(
+        {i, plainMesh(materials, part, pools), pools, Texcoords::Kept, part.coverages});
     editor.tree()["meshes"].push_back(finest.back().mesh);
     editor.replaceGeometry(i, converted(part.mesh, model.conventions, Conventions::Gltf), pools);
   }

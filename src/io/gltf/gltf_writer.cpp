@@ -235,7 +235,7 @@ FinestLevel finestLevel(const GltfDocument& document, const Model& model, std::s
   const Part& part = model.parts[number];
   const auto mesh = static_cast<std::size_t>(part.source);
   FinestLevel finest{mesh, document.tree["meshes"][mesh], vertexPools(document, mesh),
-                     Texcoords::Kept};
+                     Texcoords::Kept, part.coverages};
   if (model.paintings.empty()) return finest;
   finest.pools = paintedPools(part, std::move(finest.pools));
   finest.texcoords = Texcoords::Painted;

@@ -43,6 +43,8 @@ struct Part {
   // The parts, by number, of which this one is a coarser level of detail; empty if it is none.
   std::vector<std::size_t> finer = {};
   std::size_t hidden = 0;  // number of hidden instances, the last ones
+  // Per coarser level the share of a screen below which it is shown; empty if unknown.
+  std::vector<double> coverages = {};
 };
 
 // Everything that a format's writer needs beside the parts. Each format derives its own class. The

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -183,7 +184,8 @@ std::vector<io::Part> PartFrames::applied(std::vector<io::Part> parts) const {
 }
 
 RemeshOptions PartFrames::applied(RemeshOptions options) const {
-  if (options.edgeLength) *options.edgeLength *= world_.scale();
+  for (std::optional<double>* const length : {&options.edgeLength, &options.lengths.maxError})
+    if (*length) **length *= world_.scale();
   return options;
 }
 

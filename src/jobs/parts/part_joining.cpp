@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/legible.h"
+#include "jobs/parts/part_lengths.h"
 #include "mesh/joining.h"
 
 namespace remesher {
@@ -28,11 +29,15 @@ std::vector<Warning> settleAttributes(std::vector<io::Part>& parts) {
   return warnings;
 }
 
-std::vector<io::Part> joinedPlaces(std::vector<io::Part> parts, std::optional<double> percent) {
+std::vector<io::Part> joinedPlaces(std::vector<io::Part> parts, const RemeshOptions& options) {
   for (io::Part& part : parts) {
     requireValid(part.mesh);
     joinNoise(part.mesh);
-    if (percent) joinNear(part.mesh, *percent / 100 * diagonalOf(part.mesh));
+    const double growth = part.instances.empty() ? 1 : growthOf(part.instances.front());
+    if (options.lengths.weld && growth > 0)
+      joinNear(part.mesh, *options.lengths.weld / growth);
+    else if (options.weld)
+      joinNear(part.mesh, *options.weld / 100 * diagonalOf(part.mesh));
   }
   return parts;
 }

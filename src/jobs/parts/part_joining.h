@@ -2,17 +2,17 @@
 // Joins vertices of parts before any other step, and settles the values of their attributes.
 #pragma once
 
-#include <optional>
 #include <vector>
 
+#include "base/options.h"
 #include "base/report.h"
 #include "io/model/model.h"
 
 namespace remesher {
 
-// Removes noise around zero, and joins places nearer than `percent` of a part's diagonal. Throws
-// the Errors of requireValid.
-std::vector<io::Part> joinedPlaces(std::vector<io::Part> parts, std::optional<double> percent);
+// Removes noise around zero, and joins places nearer than `weld` of the options says, which is of
+// each part's own diagonal. Throws the Errors of requireValid.
+std::vector<io::Part> joinedPlaces(std::vector<io::Part> parts, const RemeshOptions& options);
 
 // Makes values of attributes that are not finite 0, since they would spread over the result.
 // Returns NON_FINITE_ATTRIBUTE for each semantic that had any. Readers of files do so themselves.

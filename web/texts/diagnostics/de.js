@@ -72,6 +72,8 @@ export default {
   'warning.JOINTS_RELEASED': 'Kanten, an denen die Fläche zertrennt wurde, passen vielleicht nicht '
     + 'mehr aneinander.',
   'warning.LEVELS_REPLACED': 'Die gröberen Stufen, die die Datei hatte, weichen den verlangten.',
+  'warning.LEVEL_FARTHER_THAN_ASKED': 'Eine Detailstufe weicht um mehr Bildpunkte ab als verlangt: '
+    + 'Die Stufe vor ihr hat nicht mehr Punkte.',
   'warning.LEVEL_NOT_COARSER': 'Eine Detailstufe ist so fein wie die vor ihr: Die Ränder ihrer '
     + 'Karten brauchen alle Punkte.',
   'warning.MAP_NOT_PAINTED': 'Eine Textur oder Varianten von Materialien können nicht neu gemalt '

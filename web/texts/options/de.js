@@ -74,8 +74,8 @@ export default {
     + 'Texturen, von den alten abgemalt, sodass Nähte keine Punkte kosten',
   'help.textureSize': 'der neuen Texturen, an einer Seite; ohne Angabe so fein wie die des '
     + 'Originals, bis 4096',
-  'help.textureFormat': 'der neuen Texturen; ohne Angabe jpeg, aber png für Normalen und '
-    + 'Durchsichtiges',
+  'help.textureFormat': 'der neuen Texturen; ohne Angabe wie sie kamen: webp, wenn alle WebP '
+    + 'waren, sonst jpeg, aber png für Durchsichtiges und für Normalen, die kein JPEG waren',
   'unit.texels': 'Texel',
   'option.cavities': 'Hohlräume behalten',
   'option.sheets': 'Blätter',

@@ -27,7 +27,9 @@ TEST_CASE("part joining: a model of loose triangles is told what joins them, and
   const std::size_t at = warnings[0].message.find("--weld ");
   REQUIRE(at != std::string::npos);
   const double percent = std::stod(warnings[0].message.substr(at + 7));
-  const std::vector<io::Part> whole = joinedPlaces(parts, percent);
+  RemeshOptions options;
+  options.weld = percent;
+  const std::vector<io::Part> whole = joinedPlaces(parts, options);
   CHECK(inspectScaled(whole).boundaryEdges == 0);
   CHECK(looseTriangles(inspectScaled(whole), whole).empty());
 }

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "jobs/parts/part_lengths.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <utility>
+
+#include "mesh/joining.h"
+
+namespace remesher {
+namespace {
+
+void toPercent(const std::optional<double>& length, std::optional<double>& percent,
+               double diagonal) {
+  if (length) percent = 100 * *length / diagonal;
+}
+
+}  // namespace
+
+double worldDiagonal(const std::vector<io::Part>& parts) {
+  Eigen::AlignedBox3d box;
+  for (const io::Part& part : parts) {
+    if (!part.finer.empty()) continue;
+    const bool isPlaced = !part.instances.empty();
+    for (const Index v : part.mesh.indices) {
+      if (v >= part.mesh.positions.size()) continue;
+      const Vec3& p = part.mesh.positions[v];
+      box.extend(isPlaced ? Vec3(part.instances.front() * p) : p);
+    }
+  }
+  return box.isEmpty() ? 0 : box.diagonal().stableNorm();
+}
+
+double growthOf(const Transform& toWorld) {
+  return std::cbrt(std::abs(toWorld.linear().determinant()));
+}
+
+RemeshOptions withPercents(RemeshOptions options, double diagonal) {
+  if (!(diagonal > 0)) return options;
+  const Lengths& lengths = options.lengths;
+  toPercent(lengths.maxError, options.maxError, diagonal);
+  toPercent(lengths.weld, options.weld, diagonal);
+  toPercent(lengths.holesUpTo, options.holesUpTo, diagonal);
+  toPercent(lengths.gap, options.gap, diagonal);
+  toPercent(lengths.dropBelow, options.dropBelow, diagonal);
+  return options;
+}
+
+RemeshOptions withPercents(const RemeshOptions& options, const std::vector<io::Part>& parts) {
+  const Lengths& l = options.lengths;
+  if (!l.maxError && !l.weld && !l.holesUpTo && !l.gap && !l.dropBelow) return options;
+  return withPercents(options, worldDiagonal(parts));
+}
+
+RemeshOptions withPercentsOf(const TriangleMesh& mesh, double growth, RemeshOptions options) {
+  const std::optional<double> dropBelow = options.dropBelow;
+  options = withPercents(std::move(options), growth * diagonalOf(mesh));
+  options.dropBelow = dropBelow;  // of all parts together
+  return options;
+}
+
+}  // namespace remesher

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Options in percent of the bounding box diagonal that the caller gave as lengths in the world: in
+// percent of all parts together, and of each part, whose diagonal in the world is another.
+#pragma once
+
+#include <vector>
+
+#include "base/options.h"
+#include "io/model/model.h"
+
+namespace remesher {
+
+// The diagonal of the box around all parts, each at its first place; 0 if there is nothing. Coarser
+// levels of detail and stray vertices do not count.
+double worldDiagonal(const std::vector<io::Part>& parts);
+
+// How many times as long a length in the part's own space is in the world.
+double growthOf(const Transform& toWorld);
+
+// The options with their lengths in percent of such a diagonal as well.
+RemeshOptions withPercents(RemeshOptions options, double diagonal);
+RemeshOptions withPercents(const RemeshOptions& options, const std::vector<io::Part>& parts);
+
+// What options of a part are percent of: the part's own diagonal.
+RemeshOptions withPercentsOf(const TriangleMesh& mesh, double growth, RemeshOptions options);
+
+}  // namespace remesher
