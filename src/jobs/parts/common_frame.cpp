@@ -116,10 +116,8 @@ double unitFor(const Vec3& sides) { return std::ldexp(1.0, -std::ilogb(sides.max
 
 // In whole steps, if all coordinates are.
 std::optional<Frame> stepFrame(const std::vector<io::Part>& parts, const Box& box) {
-  const bool areDoubles = std::none_of(parts.begin(), parts.end(),
-                                       [](const io::Part& part) { return part.mesh.isSingle; });
   Frame frame;
-  const std::optional<double> power = areDoubles ? decimalParts(parts) : std::nullopt;
+  const std::optional<double> power = decimalParts(parts);
   const std::optional<double> binary = power ? std::nullopt : binaryStep(parts);
   if (!power && !binary) return std::nullopt;
   frame.parts = power.value_or(1);

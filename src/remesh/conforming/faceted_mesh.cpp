@@ -267,6 +267,8 @@ bool FacetedMesh::staysTurned(Halfedge h) const {
 bool FacetedMesh::collapse(Halfedge h) {
   const Halfedge t = mesh_.twin(h);
   if ((role(mesh_.origin(h)) == FacetRole::OnLine) != isLine(h)) return false;
+  // A triangle whose corners lie on one line: its third side would join two facets unseen.
+  if (isLine(mesh_.prev(h)) || (t && isLine(mesh_.next(t)))) return false;
   if (!EulerOperators::canCollapse(mesh_, h) || !staysTurned(h)) return false;
   if (const Halfedge y = mesh_.twin(mesh_.prev(h))) line_[y] = line_[mesh_.next(h)];
   if (t)

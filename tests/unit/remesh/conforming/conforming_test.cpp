@@ -103,6 +103,21 @@ TEST_CASE("conforming: vertices that the shape does not need may go") {
   CHECK_FALSE(conforming(built, 7));
 }
 
+TEST_CASE("conforming: the rounding of turned coordinates mixes no facets") {
+  for (int i = 0; i < 14; ++i) {
+    CAPTURE(i);
+    const Eigen::AngleAxisd turn(0.1 + 0.13 * i, Vec3(1, 2, 3 + i).normalized());
+    TriangleMesh cube = shapes::cube(12);
+    for (Vec3& p : cube.positions) p = turn * (p / 6 - Vec3::Ones());
+    const BuiltMesh built = buildMesh(cube);
+    for (const double vertices : {30.0, 40.0, 50.0}) {
+      const std::unique_ptr<FacetedMesh> mesh = conforming(built, vertices);
+      REQUIRE(mesh);
+      checkSame(built, *mesh, 1e-9);
+    }
+  }
+}
+
 TEST_CASE("conforming: a turned part with six digits is meshed as well as the part itself") {
   const TriangleMesh plate = shapes::drilledPlate(8, 0.5);
   const BuiltMesh built = buildMesh(plate), rounded = buildMesh(turned(plate, 5));
