@@ -25,8 +25,7 @@ struct Corner {
   double at(double x) const {
     const OcclusionMap map(positions, indices);
     double sum = 0;
-    for (Index i = 0; i < 16; ++i)
-      sum += map.openness(Vec3(x, 0, 0), Vec3::UnitZ(), i % 4, i / 4);
+    for (Index i = 0; i < 16; ++i) sum += map.openness(Vec3(x, 0, 0), Vec3::UnitZ(), i % 4, i / 4);
     return sum / 16;
   }
 };
