@@ -82,8 +82,8 @@ RemeshFileResult unwrapFile(const FileBundle& input, const std::string& outputNa
   whole.phase("read", 0, kReadShare);
   io::Model model = io::read(input.file, input.resources);
   io::prepare(model, outputName);
-  Report report = inFile(input.file.name,
-                         [&] { return runUnwrap(model, options, whole.part(kReadShare, 1)); });
+  Report report =
+      inFile(input.file.name, [&] { return runUnwrap(model, options, whole.part(kReadShare, 1)); });
   whole.phase("write", 1, 1);
   io::WrittenFiles written = io::write(model, outputName);
   report.warnings = joined(joined(report.warnings, model.warnings), written.warnings);

@@ -100,9 +100,9 @@ BooleanFilesResult booleanFiles(const FileBundle& a, const FileBundle& b,
                                 const Progress& progress = {});
 
 struct BakeResult {
-  TriangleMesh mesh;           // the low mesh with texture coordinates, normals and tangents
-  std::vector<Picture> maps;   // baseColor, surface, emissive, normal: those that are needed
-  Report report;               // of the low mesh, with its atlas; without distances
+  TriangleMesh mesh;          // the low mesh with texture coordinates, normals and tangents
+  std::vector<Picture> maps;  // baseColor, surface, emissive, normal: those that are needed
+  Report report;              // of the low mesh, with its atlas; without distances
 };
 
 // Paints one mesh onto another: its colours and, as normals, its shape. The low mesh keeps its

@@ -177,7 +177,7 @@ struct AtlasReport {
   std::size_t charts = 0;  // pieces that no texture coordinates connect
   bool isGiven = false;    // the mesh's own texture coordinates
   double coverage = 0;     // percent of the square
-  double stretch = 0;      // the root mean square of lengths on the surface per length in the square
+  double stretch = 0;  // the root mean square of lengths on the surface per length in the square
   double worstStretch = 0;  // the largest; both relative to an even map
   double notFound = 0;      // percent of the texels for which nothing to paint was found
   double cage = 0;          // how far it was looked for, percent of the diagonal; 0: nowhere

@@ -101,9 +101,8 @@ Report runBake(BakeSource high, io::Model& low, const RemeshOptions& options,
   BakeOriginals from = originalsFor(low.parts, shown);
   from.images = imagesFrom(std::move(high.pictures));
   from.unshaded = unshaded;
-  report.atlas = withinMemory([&] {
-    return bakeOnto(low, from, options, progress.phase("paint", kInspected, kPainted));
-  });
+  report.atlas = withinMemory(
+      [&] { return bakeOnto(low, from, options, progress.phase("paint", kInspected, kPainted)); });
   progress.phase("measure", kPainted, 1);
   report.output = inspectScaled(low.parts);
   report.warnings = high.model.warnings;
@@ -125,8 +124,11 @@ Report runUnwrap(io::Model& model, const RemeshOptions& options, const Progress&
                               "texture coordinates. Bake the file onto the result to have them.",
                               imaged});
   progress.phase("unwrap", kInspected, kPainted);
-  report.atlas = withinMemory(
-      [&] { return unwrapParts(model.parts, options.textureSize.value_or(kSquare)); });
+  report.atlas =
+      withinMemory([&] { return unwrapParts(model.parts, options.textureSize.value_or(kSquare)); });
+  model.hasNewTexcoords = true;
+  for (io::Part& part : model.parts)
+    for (io::GroupInfo& group : part.groups) std::erase(group.lacks, "TEXCOORD_0");
   if (model.conventions == io::Conventions::Classic)
     for (io::Part& part : model.parts)
       for (Attribute& attribute : part.mesh.attributes)

@@ -12,13 +12,14 @@
 #include "base/legible.h"
 #include "geometry/triangle.h"
 #include "mesh/edge_groups.h"
+#include "textures/charts/atlas_figures.h"
 #include "textures/charts/unwrap.h"
 #include "textures/map_size.h"
-#include "textures/shown_scale.h"
 #include "textures/painting/look_borders.h"
 #include "textures/painting/new_surface.h"
 #include "textures/painting/place_search.h"
 #include "textures/painting/tangents.h"
+#include "textures/shown_scale.h"
 
 namespace remesher {
 
@@ -38,6 +39,10 @@ struct Atlas {
   Index size = 0;
   double finer = 1;
 };
+
+// The cosine between normals that part: charts end there, since one texel cannot hold a direction
+// in two frames.
+const double kParted = std::cos(radians(15));
 
 // What an image holds: images with alpha or normals cannot be JPEG.
 enum class Content { Opaque, Alpha, Normals };
@@ -82,7 +87,8 @@ class AtlasPainting {
     rules.cages = input_.cages;
     rules.occludes = input_.options.ao;
     Painting painting = paint(canvasOf(atlas, rims), sources_, rules, progress);
-    report_.notFound = painting.texels > 0 ? 100.0 * double(painting.lost) / double(painting.texels) : 0;
+    report_.notFound =
+        painting.texels > 0 ? 100.0 * double(painting.lost) / double(painting.texels) : 0;
     remember(number, std::move(painting));
   }
 
@@ -167,15 +173,18 @@ class AtlasPainting {
     std::vector<std::vector<char>> hard;
     for (const NewSurface& surface : surfaces_) {
       std::vector<Index> corners;
-      for (Index h = 0; h < surface.mesh().indices.size(); ++h) corners.push_back(surface.welded(h));
+      for (Index h = 0; h < surface.mesh().indices.size(); ++h)
+        corners.push_back(surface.welded(h));
       hard.emplace_back(corners.size(), 0);
       const EdgeGroups edges(surface.positions().size(), corners);
       for (std::size_t e = 0; e < edges.size(); ++e) {
         if (edges[e].size() != 2) continue;
         const Index a = edges[e][0], b = edges[e][1];
         if (areOneQuad(surface.kind(), a / 3, b / 3)) continue;
-        hard.back()[a] = hard.back()[b] = surface.normal(a) != surface.normal(nextCorner(b)) ||
-                                          surface.normal(nextCorner(a)) != surface.normal(b);
+        const auto parts = [&](Index i, Index j) {
+          return surface.normal(i).dot(surface.normal(j)) < kParted;
+        };
+        hard.back()[a] = hard.back()[b] = parts(a, nextCorner(b)) || parts(nextCorner(a), b);
       }
     }
     return hard;
@@ -209,6 +218,10 @@ class AtlasPainting {
       const Index source = input_.originalOf[t.part];
       canvas.push_back({{corner(0), corner(1), corner(2)}, source, {rim[0], rim[1], rim[2]}});
       CanvasTriangle& made = canvas.back();
+      const Vec2 tile =
+          tileOf(made.corners[0].texel / atlas.size, made.corners[1].texel / atlas.size,
+                 made.corners[2].texel / atlas.size);
+      for (CanvasCorner& c : made.corners) c.texel -= atlas.size * tile;
       const Vec2 a = made.corners[1].texel - made.corners[0].texel;
       const Vec2 b = made.corners[2].texel - made.corners[0].texel;
       if (a.x() * b.y() - a.y() * b.x() >= 0) continue;
@@ -228,8 +241,7 @@ class AtlasPainting {
       const double scale = shownScale(model_.parts[offsets.size() - 1]);
       for (const Vec3& p : surface.positions()) positions.push_back(scale * p);
     }
-    const std::vector<std::vector<char>> borders =
-        input_.onto ? hardEdges() : bordersOf(atlas);
+    const std::vector<std::vector<char>> borders = input_.onto ? hardEdges() : bordersOf(atlas);
     std::vector<char> cuts;
     std::vector<Index> faces;
     for (const auto& [part, t] : atlas.triangles) {
@@ -347,7 +359,8 @@ class AtlasPainting {
              m.roughness == first.roughness;
     });
     if (!plainSurface) {
-      const bool occludes = input_.options.ao || !isConstant([](const io::Material& m) { return !m.occlusionMap; });
+      const bool occludes =
+          input_.options.ao || !isConstant([](const io::Material& m) { return !m.occlusionMap; });
       made.metalRoughMap = add("surface", std::move(painting.surface), typeFor(Content::Opaque));
       if (occludes) made.occlusionMap = made.metalRoughMap;
       made.metallic = made.roughness = made.occlusionStrength = 1;

@@ -37,8 +37,8 @@ struct PaintingInput {
   const std::vector<std::vector<InputPlace>>& places;  // per part and corner
   const RemeshOptions& options;
   Unshaded unshaded;
-  std::vector<char> areGiven;             // per part, whether its places are on its original
-  std::vector<Index> originalOf;          // per part the number of its original
+  std::vector<char> areGiven;     // per part, whether its places are on its original
+  std::vector<Index> originalOf;  // per part the number of its original
   // Per original how far paint is looked for along the normals; empty: on the surface that is
   // connected to the places.
   std::vector<double> cages = {};

@@ -18,7 +18,7 @@ namespace remesher {
 namespace {
 
 // Texture coordinates are used if at most this share of what they cover is covered twice, and of
-// the surface is outside of the square.
+// the surface is across its border or has no area in it.
 constexpr double kMostUnusable = 0.005;
 // The cage if none is given: so many times the largest distance found, within these shares of the
 // diagonal.
@@ -69,15 +69,15 @@ bool keepsTexcoords(io::Model& model) {
   if (!hasTexcoords(model)) return false;
   const AtlasFigures figures = texcoordFigures(model.parts);
   if (figures.unusable <= kMostUnusable && figures.overlap <= kMostUnusable) return true;
-  const bool isOutside = figures.unusable > kMostUnusable;
+  const bool isBeyond = figures.unusable > kMostUnusable;
   model.warnings.push_back(
       {"TEXCOORDS_REPLACED",
-       isOutside ? percentOf(figures.unusable) +
-                       " of the surface has texture coordinates outside of the square or none: it "
-                       "gets new ones."
-                 : "Texture coordinates overlap on " + percentOf(figures.overlap) +
-                       " of what they cover, so that one texel would show several places: the "
-                       "mesh gets new ones."});
+       isBeyond ? percentOf(figures.unusable) +
+                      " of the surface has texture coordinates without an area or across the "
+                      "border of the square: the mesh gets new ones."
+                : "Texture coordinates overlap on " + percentOf(figures.overlap) +
+                      " of what they cover, so that one texel would show several places: the "
+                      "mesh gets new ones."});
   return false;
 }
 
@@ -119,10 +119,11 @@ AtlasReport bakeOnto(io::Model& model, const BakeOriginals& from, const RemeshOp
   report.cage = 100 * share;
   if (report.notFound > kMostNotFound)
     model.warnings.push_back(
-        {"TEXELS_NOT_FOUND",
-         "For " + inDigits(report.notFound, 3) + " % of the texels no surface was found within " +
-             inDigits(report.cage, 3) + " % of the diagonal: they take the colours beside them. A "
-             "larger --cage finds more."});
+        {"TEXELS_NOT_FOUND", "For " + inDigits(report.notFound, 3) +
+                                 " % of the texels no surface was found within " +
+                                 inDigits(report.cage, 3) +
+                                 " % of the diagonal: they take the colours beside them. A "
+                                 "larger --cage finds more."});
   for (Warning& warning : unpaintedMaps({from.originals.front()}))
     model.warnings.push_back(std::move(warning));
   return report;

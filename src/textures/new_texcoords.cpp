@@ -42,8 +42,8 @@ Gathered gatheredFrom(const std::vector<io::Part>& parts) {
 AtlasReport unwrapParts(std::vector<io::Part>& parts, Index size) {
   const Gathered all = gatheredFrom(parts);
   const std::vector<char> cuts(all.indices.size(), 0);
-  const Unwrapped unwrapped = unwrap({all.positions, all.indices, cuts, all.faces},
-                                     {size, 1 + size / kPaddingShare});
+  const Unwrapped unwrapped =
+      unwrap({all.positions, all.indices, cuts, all.faces}, {size, 1 + size / kPaddingShare});
   if (!(unwrapped.scale > 0))
     throw Error(ErrorCode::InvalidOption,
                 "A square of " + std::to_string(size) + " texels is too small for " +
@@ -67,10 +67,10 @@ AtlasFigures texcoordFigures(const std::vector<io::Part>& parts) {
   for (const io::Part& part : parts) {
     const Attribute* const own = findAttribute(part.mesh, "TEXCOORD_0");
     for (const Index v : part.mesh.indices)
-      texcoords.push_back(own == nullptr || own->itemSize != 2
-                              ? Vec2(-1, -1)
-                              : Vec2(own->values[2 * std::size_t{v}],
-                                     own->values[2 * std::size_t{v} + 1]));
+      texcoords.push_back(
+          own == nullptr || own->itemSize != 2
+              ? Vec2::Zero().eval()
+              : Vec2(own->values[2 * std::size_t{v}], own->values[2 * std::size_t{v} + 1]));
   }
   return figuresOf({positions, all.indices, texcoords});
 }

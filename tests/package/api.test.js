@@ -15,8 +15,9 @@ const { convertFile, init, inspect, remesh, remeshFile } = remesher;
 
 test('the package exports what it promises and nothing else', () => {
   assert.deepEqual(Object.keys(remesher).sort(),
-    ['RemeshError', 'bake', 'bakeFile', 'boolean', 'booleanFiles', 'convertFile', 'init', 'inspect', 'remesh',
-      'remeshFile', 'remeshScene', 'repair', 'repairFile', 'unwrap', 'unwrapFile']);
+    ['RemeshError', 'bake', 'bakeFile', 'boolean', 'booleanFiles', 'convertFile', 'init',
+      'inspect', 'remesh', 'remeshFile', 'remeshScene', 'repair', 'repairFile', 'unwrap',
+      'unwrapFile']);
 });
 
 test('init may be called often, and with the bytes', async () => {

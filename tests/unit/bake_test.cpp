@@ -80,7 +80,7 @@ TEST_CASE("unwrap: of files, formats without texture coordinates are refused") {
 }
 
 TEST_CASE("unwrap: of arrays, the same triangles") {
-  const TriangleMesh ball = ballOf(6);
+  const TriangleMesh ball = ballOf(4);
   const UnwrapResult result = unwrap(ball, {});
   REQUIRE(result.mesh.indices.size() == ball.indices.size());
   for (std::size_t h = 0; h < ball.indices.size(); ++h)

@@ -8,11 +8,11 @@ import {
   buffersOf, copyMesh, copyOperands, fileBuffers, fileRequest, isBytes,
 } from './inputs.js';
 import { legible } from '../base/legible.js';
-import { bakeNames, checkOptions, checkOwn, checkRepair } from '../base/options.js';
+import { bakeNames, checkOptions, checkOwn, checkRepair, unwrapNames } from '../base/options.js';
 
 /**
- * @import { AtlasReport, BooleanOperation, BooleanReport, FileRequest, Inspection, Mesh, NamedBytes,
- *   Picture, RepairReport, Warning } from '../base/messages.js'
+ * @import { AtlasReport, BooleanOperation, BooleanReport, FileRequest, Inspection, Mesh,
+ *   NamedBytes,   Picture, RepairReport, Warning } from '../base/messages.js'
  */
 /** @import { RemeshOptions } from '../base/options.js' */
 /** @import { RemeshResult, Runner, WasmSource } from './arrays_api.js' */
@@ -286,7 +286,7 @@ export class Api extends ArraysApi {
    */
   async unwrap(mesh, options = {}) {
     const checked = checkOwn(options,
-      { names: ['textureSize'], others: runNames, what: 'Unwrapping' });
+      { names: unwrapNames, others: runNames, what: 'Unwrapping' });
     const copy = copyMesh(mesh);
     const { meshes, report } = await this.#client.run(
       { kind: 'unwrap', mesh: copy, options: checked }, buffersOf(copy), options);
@@ -300,7 +300,7 @@ export class Api extends ArraysApi {
    */
   async unwrapFile(bytes, options = {}) {
     const checked = checkOwn(options,
-      { names: ['textureSize'], others: [...runNames, ...fileNames, 'output'], what: 'Unwrapping' });
+      { names: unwrapNames, others: [...runNames, ...fileNames, 'output'], what: 'Unwrapping' });
     const file = await fileRequest(bytes, options);
     const { files, report } = await this.#client.run(
       { kind: 'unwrapFile', file, options: checked }, fileBuffers(file), options);

@@ -427,6 +427,9 @@ export const bakeNames = /** @type {const} */ (['textureSize', 'textureFormat', 
 
 /** @typedef {typeof bakeNames[number]} BakeName */
 
+/** The names of the options for unwrapping. */
+export const unwrapNames = /** @type {const} */ (['textureSize']);
+
 /**
  * The options of a function that takes a few of the table, checked one by one.
  * @param {object} given

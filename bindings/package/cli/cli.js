@@ -29,14 +29,15 @@ async function report({ command, json, quiet }, result) {
 
 /** @param {CommandLine} line */
 async function runOne(line) {
-  const { command, inputs: [input, operand], onto, output, format, quiet, root, force, options } = line;
+  const { command, inputs: [input, operand], output, format, quiet, root, force, options } = line;
   if (command === 'help' || command === 'version') return;
   const isPiped = output === '-';
   const plain = withoutGz(basename(input));
   const outputName = isPiped ? `${basename(plain, extname(plain))}.${format}` : basename(output);
   const { onProgress, clear } = progressBar(quiet || ['inspect', 'convert'].includes(command));
   const result = await runFile(
-    { command, input, second: onto || operand, output: isPiped ? '' : output, outputName, root, force, options },
+    { command, input, second: line.onto || operand, output: isPiped ? '' : output, outputName,
+      root, force, options },
     new Api(platform), { worker: false, onProgress }).finally(clear);
   if (isPiped && result.files.length > 1) {
     throw new RemeshError('INVALID_OPTION',

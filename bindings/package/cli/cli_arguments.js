@@ -10,6 +10,7 @@ import { lengthFrom, pixelsFrom, takesLength } from '../base/lengths.js';
 import { isFolder } from './plan.js';
 import {
   bakeNames, checkOptions, checkOwn, checkValue, defaultInWords, nearest, optionTable, repairNames,
+  unwrapNames,
 } from '../base/options.js';
 
 /** @typedef {import('../base/messages.js').BooleanOperation} BooleanOperation */
@@ -36,7 +37,8 @@ import {
 /** The flags that are the command line's own. */
 const ownFlags = [
   { flag: '-o, --output FILE', help: 'where to write; - is standard output' },
-  { flag: '--onto FILE', help: 'of remesher bake: the model that is painted; it keeps its triangles' },
+  { flag: '--onto FILE',
+    help: 'of remesher bake: the model that is painted; it keeps its triangles' },
   { flag: '--format F', help: `${inWords(formats)}: the format written to - or to a folder` },
   { flag: '--root DIR', help: 'the folder below which a model may name other files (default: '
     + 'the model’s own)' },
@@ -230,7 +232,7 @@ function checkOnto({ command, inputs, onto, output }) {
  * @param {CommandLine} line */
 function namesOf({ command }) {
   if (command === 'bake') return bakeNames;
-  return command === 'unwrap' ? /** @type {const} */ (['textureSize']) : undefined;
+  return command === 'unwrap' ? unwrapNames : undefined;
 }
 
 /** @param {CommandLine} line */
@@ -335,7 +337,8 @@ export function helpText() {
     'remesher convert <input> -o <output>       only change the format',
     'remesher union|subtract|intersect <a> <b> -o <output>',
     '                                           both bodies, a without b, or their common part',
-    'remesher bake <high> --onto <low> -o <output>   paint one model onto another, as .glb or .gltf',
+    'remesher bake <high> --onto <low> -o <output>',
+    '                                           paint one model onto another, as .glb or .gltf',
     'remesher unwrap <input> -o <output>        new texture coordinates only',
     'remesher <inputs> -o <folder>/ [options]   many files, folders, patterns like scans/*.obj',
     'remesher inspect <input> [--json]          report on a file, change nothing',

@@ -155,8 +155,9 @@ function booleanInWords({ operation, cut, selfIntersections }) {
 
 /** @param {import('../base/messages.js').AtlasSummary} atlas */
 function atlasInWords({ size, charts, given, coverage, stretch, worstStretch, cage, notFound }) {
-  const baked = cage === undefined ? '' : `\n  looked for within ${Number(cage.toPrecision(3))} % of `
-    + `the diagonal; nothing found for ${Number((notFound ?? 0).toPrecision(2))} % of the texels`;
+  const baked = cage === undefined ? ''
+    : `\n  looked for within ${Number(cage.toPrecision(3))} % of the diagonal; `
+      + `nothing found for ${Number((notFound ?? 0).toPrecision(2))} % of the texels`;
   return `texture coordinates (${given ? 'the model’s own' : 'new'}): ${counted(charts, 'chart')}, `
     + `${coverage.toFixed(1)} % of a square of ${size} texels\n`
     + `  stretch ${stretch.toFixed(2)} in the mean, ${worstStretch.toFixed(2)} at worst${baked}`;

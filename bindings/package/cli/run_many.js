@@ -111,8 +111,9 @@ class Batch {
     }
     this.#makeFolder(output);
     const result = await runFile({
-      command: command === 'convert' || command === 'repair' ? command : 'remesh', input, output,
-      outputName: basename(output), root, force, options,
+      command: command === 'convert' || command === 'repair' || command === 'unwrap' ? command
+        : 'remesh',
+      input, output, outputName: basename(output), root, force, options,
     }, api, { onProgress: this.progress.listener(number) });
     return this.#succeed(step, result.report);
   }

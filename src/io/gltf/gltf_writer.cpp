@@ -210,7 +210,8 @@ std::vector<VertexPool> paintedPools(const Part& part, std::vector<VertexPool> p
       return isOfLook && findAttribute(part.mesh, own) == nullptr;
     });
     for (const char* made : {"NORMAL", "TANGENT", "TEXCOORD_0"})
-      if (hasAny(part, pool, made)) pool.accessors[made] = -1;
+      if (findAttribute(part.mesh, made) != nullptr && hasAny(part, pool, made))
+        pool.accessors[made] = -1;
   }
   return pools;
 }
@@ -229,6 +230,8 @@ std::size_t usePaintings(Json& primitives, const Part& part, std::size_t firstPa
   return lost;
 }
 
+bool isPaintedAnew(const Model& model) { return !model.paintings.empty() || model.hasNewTexcoords; }
+
 // A part's mesh as the file has it, with the materials and attributes of paintings, if any.
 FinestLevel finestLevel(const GltfDocument& document, const Model& model, std::size_t number,
                         std::size_t firstPainting) {
@@ -236,7 +239,7 @@ FinestLevel finestLevel(const GltfDocument& document, const Model& model, std::s
   const auto mesh = static_cast<std::size_t>(part.source);
   FinestLevel finest{mesh, document.tree["meshes"][mesh], vertexPools(document, mesh),
                      Texcoords::Kept, part.coverages};
-  if (model.paintings.empty()) return finest;
+  if (!isPaintedAnew(model)) return finest;
   finest.pools = paintedPools(part, std::move(finest.pools));
   finest.texcoords = Texcoords::Painted;
   usePaintings(finest.mesh["primitives"], part, firstPainting);
@@ -280,7 +283,7 @@ WrittenFiles writeDocument(const GltfDocument& document, const Model& model,
   GltfEditor editor(document.tree, &document);
   const std::set<std::size_t> oldLevels =
       model.replacesLevels ? takeLevels(editor.tree()) : std::set<std::size_t>();
-  const bool isPainted = !model.paintings.empty();
+  const bool isPainted = isPaintedAnew(model);
   const std::size_t firstPainting = isPainted ? addPaintings(editor.tree(), model) : 0;
   std::size_t lostVariants = 0;
   std::set<std::size_t> jointless;

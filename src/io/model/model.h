@@ -73,6 +73,7 @@ struct Model {
   bool replacesLevels = false;           // drop the source's levels of detail
   std::vector<int> leftOut = {};         // the numbers of meshes of the file that are shown no more
   bool isExact = false;             // in text coordinates get the digits of doubles, floats as well
+  bool hasNewTexcoords = false;     // the parts' texture coordinates are not the file's
   std::vector<Material> paintings;  // their maps name images below by number
   std::vector<PaintedImage> images;
 };

@@ -43,21 +43,22 @@ class FigureTaker {
 
  private:
   std::array<Vec2, 3> plane(std::size_t t) const {
-    return {atlas_.texcoords[3 * t], atlas_.texcoords[3 * t + 1], atlas_.texcoords[3 * t + 2]};
+    const Vec2* const corners = &atlas_.texcoords[3 * t];
+    const Vec2 tile = tileOf(corners[0], corners[1], corners[2]);
+    return {corners[0] - tile, corners[1] - tile, corners[2] - tile};
   }
 
   void add(std::size_t t) {
-    const auto [p, q, r] = plane(t);
+    const std::array<Vec2, 3> flatCorners = plane(t);
+    const auto& [p, q, r] = flatCorners;
     const Vec3 &a = atlas_.positions[3 * t], &b = atlas_.positions[3 * t + 1],
                &c = atlas_.positions[3 * t + 2];
     const double surface = areaVector(a, b, c).norm() / 2;
     const double flat = cross2(q - p, r - p);
     onSurface_ += surface;
-    const bool isOutside = std::any_of(&atlas_.texcoords[3 * t], &atlas_.texcoords[3 * t] + 3,
-                                       [](const Vec2& uv) {
-                                         return !(uv.minCoeff() >= -kOutside) ||
-                                                !(uv.maxCoeff() <= 1 + kOutside);
-                                       });
+    const bool isOutside = std::any_of(flatCorners.begin(), flatCorners.end(), [](const Vec2& uv) {
+      return !(uv.minCoeff() >= -kOutside) || !(uv.maxCoeff() <= 1 + kOutside);
+    });
     if (isOutside || !(std::abs(flat) > 0)) {
       unusable_ += surface;
       return;
@@ -127,6 +128,10 @@ class FigureTaker {
 };
 
 }  // namespace
+
+Vec2 tileOf(const Vec2& a, const Vec2& b, const Vec2& c) {
+  return ((a + b + c) / 3).array().floor();
+}
 
 AtlasFigures figuresOf(const AtlasCorners& atlas) { return FigureTaker(atlas).run(); }
 

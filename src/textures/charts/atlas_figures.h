@@ -8,6 +8,10 @@
 
 namespace remesher {
 
+// The corner of the whole-numbered unit square in which a triangle's middle lies. Maps repeat, so
+// that a triangle in one square shows the same as in another.
+Vec2 tileOf(const Vec2& a, const Vec2& b, const Vec2& c);
+
 // Corner after corner, three per triangle.
 struct AtlasCorners {
   std::span<const Vec3> positions;
@@ -20,7 +24,7 @@ struct AtlasFigures {
   double coverage = 0;      // of the square
   double stretch = 0;       // root mean square over the surface, as in AtlasReport
   double worstStretch = 0;  // of all triangles but those without an area
-  double unusable = 0;      // of the surface: no area in the square, or outside of it
+  double unusable = 0;      // of the surface: without an area in the square, or across its border
   double overlap = 0;       // of the covered texels: covered by several triangles
 };
 

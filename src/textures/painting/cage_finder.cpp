@@ -29,8 +29,8 @@ std::optional<InputPlace> CageFinder::alongNormal(const Vec3& point, const Vec3&
   tree_.visitAlong(both, [&](Index triangle) {
     const std::optional<LineHit> hit = meetingOf(tree_, triangle, both);
     const double away = hit ? std::abs(hit->distance - cage_) : kInfinity;
-    const bool isBetter = away < least || (away == least && best &&
-                                           InputTriangle(triangle) < best->place.triangle);
+    const bool isBetter =
+        away < least || (away == least && best && InputTriangle(triangle) < best->place.triangle);
     if (isBetter && source_.faceNormal(InputTriangle(triangle)).dot(normal) > kFacesLike) {
       best = hit;
       least = away;

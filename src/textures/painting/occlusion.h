@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Ambient occlusion: the share of light from all sides, by Lambert's law, that reaches a place of a
-// mesh past the mesh itself. Each texel casts a few rays of a fixed set; neighbours cast others, and
-// the means over small squares of neighbours on the same surface are those of the whole set.
+// mesh past the mesh itself. Each texel casts a few rays of a fixed set; neighbours cast others,
+// and the means over small squares of neighbours on the same surface are those of the whole set.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,6 @@ inline constexpr double kOcclusionReach = 0.25;
 
 class OcclusionMap {
  public:
-  // size: of the square, texels.
   OcclusionMap(std::span<const Vec3> positions, std::span<const Index> indices);
 
   // The share of the rays of a texel that nothing stops. normal: unit.

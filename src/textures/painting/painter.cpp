@@ -124,8 +124,10 @@ class Painter {
         if (current % 64 == 0) progress.at(double(i) / double(order.size()));
       }
       const Mixture mixture = mixtureAt(order[i]);
-      if (mixture.count > 0) put(order[i], mixture);
-      else lost_.push_back(order[i]);
+      if (mixture.count > 0)
+        put(order[i], mixture);
+      else
+        lost_.push_back(order[i]);
     }
     result_.texels = order.size();
     result_.lost = lost_.size();

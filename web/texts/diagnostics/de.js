@@ -61,8 +61,8 @@ export default {
   'warning.EXTENSION_NOT_CARRIED': 'Was Erweiterungen über Dreiecke, Punkte oder Texturen sagen, '
     + 'die neu gemacht sind, gilt nicht mehr und fällt weg.',
   'warning.HIDDEN_LEFT_OUT': 'Was die Szene nicht zeigt, fehlt; in .glb und .gltf bleibt es da.',
-  'warning.IMAGES_NOT_FITTING': 'Die Bilder der Materialien entfallen: Sie passen nicht zu den neuen '
-    + 'Texturkoordinaten.',
+  'warning.IMAGES_NOT_FITTING': 'Die Bilder der Materialien entfallen: Sie passen nicht zu '
+    + 'den neuen Texturkoordinaten.',
   'warning.INCONSISTENT_ORIENTATION_FIXED': 'Dreiecke wurden umgedreht, damit sie zur selben Seite '
     + 'weisen wie die meisten neben ihnen.',
   'warning.ISOTROPIC_TAKES_MORE': 'Form und Zahl der Punkte bleiben, mit ungleichmäßigen '
@@ -176,8 +176,8 @@ export default {
     + 'dünner, als es fein ist, oder liegen in Lücken, die es schließt.',
   'warning.SHEETS_THICKENED': 'Aus Blättern, die nichts umschließen, wurden dünne Körper hinter '
     + 'dem, was von ihnen zu sehen ist.',
-  'warning.TEXCOORDS_REPLACED': 'Die Texturkoordinaten des Modells überlappen sich oder liegen '
-    + 'außerhalb des Quadrats: Es bekam neue.',
+  'warning.TEXCOORDS_REPLACED': 'Die Texturkoordinaten des Modells überlappen sich oder gehen '
+    + 'über den Rand des Quadrats: Es bekam neue.',
   'warning.TEXELS_NOT_FOUND': 'Für einen Teil der Texel wurde keine Fläche gefunden: Sie haben die '
     + 'Farben daneben.',
   'warning.TEXTURES_PAINTED': 'Die Reparatur hat eine andere Fläche gemacht, daher wurden ihre '

@@ -172,8 +172,8 @@ export default {
     + 'sont plus minces que sa finesse, ou dans des passages qu’il ferme.',
   'warning.SHEETS_THICKENED': 'Des feuilles, qui n’enferment rien, sont devenues des solides '
     + 'minces derrière ce que l’on en voit.',
-  'warning.TEXCOORDS_REPLACED': 'Les coordonnées de texture du modèle se recouvrent ou sortent du '
-    + 'carré : il en a reçu de nouvelles.',
+  'warning.TEXCOORDS_REPLACED': 'Les coordonnées de texture du modèle se recouvrent ou passent le '
+    + 'bord du carré : il en a reçu de nouvelles.',
   'warning.TEXELS_NOT_FOUND': 'Pour une partie des texels, aucune surface n’a été trouvée : ils '
     + 'prennent les couleurs voisines.',
   'warning.TEXTURES_PAINTED': 'La réparation a fait une autre surface, ses textures ont donc été '

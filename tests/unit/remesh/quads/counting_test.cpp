@@ -63,12 +63,14 @@ bool isSaid(const RemeshOutcome& made) {
 }  // namespace
 
 TEST_CASE("counting: balls of any triangles have eight irregular vertices, mirrored") {
-  for (const auto& [ball, numbers] : std::vector<std::pair<TriangleMesh, std::vector<Index>>>{
-           {polarBall(32, 16, Vec3::Ones()), {200, 400}},
-           {polarBall(17, 9, Vec3::Ones()), {250}},
-           {shapes::icosphere(7), {200, 1000}},
-           {polarBall(32, 16, Vec3(2, 1.3, 1)), {250, 400}}})
-    for (const Index vertices : numbers) {
+  const TriangleMesh round = polarBall(32, 16, Vec3::Ones()),
+                     coarse = polarBall(17, 9, Vec3::Ones()), even = shapes::icosphere(7),
+                     oblong = polarBall(32, 16, Vec3(2, 1.3, 1));
+  using Wanted = std::vector<std::pair<const TriangleMesh*, std::vector<Index>>>;
+  for (const auto& wanted :
+       Wanted{{&round, {200, 400}}, {&coarse, {250}}, {&even, {200, 1000}}, {&oblong, {250, 400}}})
+    for (const Index vertices : wanted.second) {
+      const TriangleMesh& ball = *wanted.first;
       CAPTURE(ball.positions.size());
       CAPTURE(vertices);
       const RemeshOutcome made = quadsOf(ball, vertices);

@@ -44,16 +44,23 @@ TEST_CASE("atlas figures: a map of half the height stretches by the root of two 
 }
 
 TEST_CASE("atlas figures: triangles on one place overlap, and are two charts") {
-  const AtlasFigures f = figuresUnder([](double x, double y, std::size_t t) {
-    return t == 0 ? Vec2(x, y) : Vec2(y, x);
-  });
+  const AtlasFigures f = figuresUnder(
+      [](double x, double y, std::size_t t) { return t == 0 ? Vec2(x, y) : Vec2(y, x); });
   CHECK(f.charts == 2 - 1);  // they agree on the diagonal
   CHECK(f.overlap > 0.99);
 }
 
-TEST_CASE("atlas figures: what is outside of the square cannot be used") {
+TEST_CASE("atlas figures: what crosses the border of the square cannot be used") {
   const AtlasFigures f = figuresUnder(
-      [](double x, double y, std::size_t t) { return Vec2(x + (t == 1 ? 3 : 0), y); });
+      [](double x, double y, std::size_t t) { return Vec2(x + (t == 1 ? 3.5 : 0), y); });
   CHECK(f.charts == 2);
   CHECK(f.unusable == doctest::Approx(0.5));
+}
+
+TEST_CASE("atlas figures: maps repeat, so that all of a next square is as good") {
+  const AtlasFigures f =
+      figuresUnder([](double x, double y, std::size_t) { return Vec2(x - 2, y + 1); });
+  CHECK(f.unusable == 0);
+  CHECK(f.coverage == doctest::Approx(1));
+  CHECK(f.overlap == 0);
 }

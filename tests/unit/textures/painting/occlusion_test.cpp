@@ -25,8 +25,7 @@ struct Corner {
   double at(double x) const {
     const OcclusionMap map(positions, indices);
     double sum = 0;
-    for (Index i = 0; i < 16; ++i)
-      sum += map.openness(Vec3(x, 0, 0), Vec3::UnitZ(), i % 4, i / 4);
+    for (Index i = 0; i < 16; ++i) sum += map.openness(Vec3(x, 0, 0), Vec3::UnitZ(), i % 4, i / 4);
     return sum / 16;
   }
 };
@@ -49,6 +48,7 @@ TEST_CASE("occlusion: means are over texels of one surface") {
   std::vector<Index> owners(64, 0);
   for (Index i = 0; i < 64; ++i) {
     const bool isLeft = i % 8 < 4;
+    owners[i] = isLeft ? 0 : 1;
     texels[i].place = Eigen::Vector3f(float(i % 8), float(i / 8), isLeft ? 0.0f : 1000.0f);
     texels[i].normal = Eigen::Vector3f::UnitZ();
     texels[i].open = isLeft ? 1.0f : 0.0f;

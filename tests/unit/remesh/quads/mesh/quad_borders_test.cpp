@@ -72,9 +72,11 @@ TEST_CASE("quad borders: around holes of all sizes no quad is missing, at any nu
                      wide = plate(Vec3(0.2, 0.13, 0), 0.32, 60),
                      small = plate(Vec3(0.2, 0.13, 0), 0.08, 40),
                      tiny = plate(Vec3(0.3, -0.2, 0), 0.02, 40);
-  for (const auto& [sheet, numbers] : std::vector<std::pair<TriangleMesh, std::vector<Index>>>{
-           {middle, {60, 250}}, {wide, {120}}, {small, {60, 250}}, {tiny, {120}}})
-    for (const Index vertices : numbers) {
+  using Wanted = std::vector<std::pair<const TriangleMesh*, std::vector<Index>>>;
+  for (const auto& wanted :
+       Wanted{{&middle, {60, 250}}, {&wide, {120}}, {&small, {60, 250}}, {&tiny, {120}}})
+    for (const Index vertices : wanted.second) {
+      const TriangleMesh& sheet = *wanted.first;
       CAPTURE(sheet.positions.front());
       CAPTURE(vertices);
       options.vertices = vertices;
