@@ -156,6 +156,7 @@ set(small
   src/jobs/fewest_vertices.cpp
   src/jobs/inspected_parts.cpp
   src/jobs/level_files.cpp
+  src/jobs/level_switches.cpp
   src/jobs/mending.cpp
   src/jobs/operands.cpp
   src/jobs/part_boolean.cpp
@@ -169,7 +170,6 @@ set(small
   src/jobs/parts/part_targets.cpp
   src/jobs/parts/part_unions.cpp
   src/jobs/parts/quad_diagonals.cpp
-  src/jobs/pixel_levels.cpp
   src/jobs/repair_words.cpp
   src/jobs/scene_run.cpp
   src/measure/distance_bound.cpp
@@ -347,6 +347,7 @@ set(doors
   src/jobs/checks/whole_steps.cpp
   src/jobs/dropping.cpp
   src/jobs/part_repair.cpp
+  src/jobs/pixel_levels.cpp
   src/remesh/quads/quads.cpp
   src/remesh/schemes/quads_door.cpp
 )

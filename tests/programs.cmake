@@ -56,6 +56,7 @@ add_executable(unit_tests
   tests/unit/jobs/dropping_test.cpp
   tests/unit/jobs/face_budget_test.cpp
   tests/unit/jobs/fewest_vertices_test.cpp
+  tests/unit/jobs/level_switches_test.cpp
   tests/unit/jobs/part_repair_test.cpp
   tests/unit/jobs/parts/part_joining_test.cpp
   tests/unit/jobs/parts/part_lengths_test.cpp
