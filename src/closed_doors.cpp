@@ -7,6 +7,7 @@
 #include "jobs/checks/whole_steps.h"
 #include "jobs/dropping.h"
 #include "jobs/part_repair.h"
+#include "jobs/pixel_levels.h"
 #include "remesh/quads/quads.h"
 #include "remesh/schemes/quads_door.h"
 
@@ -27,6 +28,8 @@ PartsRepair repairParts(std::vector<io::Part>, const RemeshOptions&, const Progr
 
 Dropped dropSmallPieces(std::vector<io::Part>&, const RemeshOptions&) { refuse("Leaving out"); }
 Dropped dropHiddenTriangles(std::vector<io::Part>&, Hidden) { refuse("Leaving out"); }
+
+SceneRun withinPixels(double, const Report&, const RunOfLevel&) { refuse("A level by pixels"); }
 
 RoundedMesh inSoundPrecisionOf(const TriangleMesh&, RemeshOutcome&) { refuse("Repair"); }
 bool isSound(const TriangleMesh&) { refuse("Repair"); }

@@ -161,6 +161,7 @@ set(small
   src/jobs/fewest_vertices.cpp
   src/jobs/inspected_parts.cpp
   src/jobs/level_files.cpp
+  src/jobs/level_switches.cpp
   src/jobs/mending.cpp
   src/jobs/open_number.cpp
   src/jobs/operands.cpp
@@ -176,7 +177,6 @@ set(small
   src/jobs/parts/part_targets.cpp
   src/jobs/parts/part_unions.cpp
   src/jobs/parts/quad_diagonals.cpp
-  src/jobs/pixel_levels.cpp
   src/jobs/repair_words.cpp
   src/jobs/scene_run.cpp
   src/measure/distance_bound.cpp
@@ -360,6 +360,7 @@ set(doors
   src/jobs/checks/whole_steps.cpp
   src/jobs/dropping.cpp
   src/jobs/part_repair.cpp
+  src/jobs/pixel_levels.cpp
   src/remesh/quads/quads.cpp
   src/remesh/schemes/quads_door.cpp
 )

@@ -59,6 +59,7 @@ add_executable(unit_tests
   tests/unit/jobs/fewest_vertices_test.cpp
   tests/unit/jobs/inspected_parts_test.cpp
   tests/unit/jobs/open_number_test.cpp
+  tests/unit/jobs/level_switches_test.cpp
   tests/unit/jobs/part_repair_test.cpp
   tests/unit/jobs/parts/common_frame_test.cpp
   tests/unit/jobs/parts/part_frames_test.cpp

@@ -32,7 +32,7 @@ inline bool isForced(Symmetry symmetry) {
 enum class Repair { Off, Holes, Solid, Wrap, Auto };  // what is mended before remeshing
 enum class Sheets { Thicken, Drop };                  // what wrap does with open sheets
 enum class TooFew { Refuse, Raise };                  // for a target below what the surface needs
-enum class LodsBy { Shares, Pixels };  // what `lods` says of each level
+enum class LodsBy { Shares, Pixels };                 // what `lods` says of each level
 // If even triangles exceed an error bound: use those of the original | end the run.
 enum class OutOfBound { FromOriginal, GiveUp };
 

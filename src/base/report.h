@@ -206,7 +206,7 @@ struct Report {
   std::vector<Prefer> prefer;  // what each part is made of: Even or Shape; none after an inspection
   std::vector<Chosen> chosen;  // why each part is the mesh that it is; none after an inspection
   std::optional<SwitchReport> takesOver;  // only of a coarser level of detail
-  std::vector<Report> lods;    // of the coarser levels of detail, in the order requested
+  std::vector<Report> lods;               // of the coarser levels of detail, in the order requested
 };
 
 }  // namespace remesher

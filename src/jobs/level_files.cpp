@@ -6,8 +6,8 @@
 
 #include "base/legible.h"
 #include "io/model/levels.h"
+#include "jobs/level_switches.h"
 #include "jobs/parts/part_report.h"
-#include "jobs/pixel_levels.h"
 
 namespace remesher {
 

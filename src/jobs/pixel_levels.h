@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Levels of detail by what is seen of them: how far they are off, in pixels where the whole model is
-// as high as a screen, and when they may take over from the finer one.
+// Levels of detail by what is seen of them: how far they are off, in pixels where the whole model
+// is as high as a screen.
 #pragma once
 
 #include <functional>
-#include <vector>
 
-#include "base/options.h"
 #include "base/report.h"
-#include "io/model/model.h"
+#include "jobs/scene_run.h"
 
 namespace remesher {
 
@@ -42,10 +40,11 @@ class PixelSearch {
   bool isSettled_ = false;
 };
 
-// When a level may be shown instead of the finer one: `finer` is the report of that.
-SwitchReport switchTo(const Report& level, const Report& finer);
+// Makes a level of so many vertices.
+using RunOfLevel = std::function<SceneRun(Index vertices)>;
 
-// Of each part at its largest place, the share of a screen that its disk covers at the switches.
-void setCoverages(std::vector<io::Part>& parts, const Report& finest);
+// The level of fewest vertices that is off by no more than so many pixels; with a warning, the
+// nearest if none is. finer: the report of the level before it.
+SceneRun withinPixels(double pixels, const Report& finer, const RunOfLevel& runAt);
 
 }  // namespace remesher

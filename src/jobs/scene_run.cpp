@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <optional>
 #include <utility>
 
@@ -14,6 +13,7 @@
 #include "jobs/face_budget.h"
 #include "jobs/fewest_vertices.h"
 #include "jobs/inspected_parts.h"
+#include "jobs/level_switches.h"
 #include "jobs/part_run.h"
 #include "jobs/parts/part_joining.h"
 #include "jobs/parts/part_report.h"
@@ -270,25 +270,6 @@ RemeshOptions optionsOfPixels(RemeshOptions options, Index vertices) {
   return options;
 }
 
-// The level of fewest vertices that is off by no more than so many pixels: each result of runAt has
-// a number of vertices. Later ones show no progress.
-SceneRun fewestWithin(double pixels, const Report& finer,
-                      const std::function<SceneRun(Index vertices)>& runAt) {
-  PixelSearch search(pixels, finer.output->vertices);
-  std::optional<SceneRun> best;
-  while (!search.isSettled()) {
-    SceneRun run = runAt(search.vertices());
-    if (search.take(run.report)) best = std::move(run);
-  }
-  if (!search.isMet())
-    best->report.warnings.push_back(
-        {"LEVEL_FARTHER_THAN_ASKED",
-         "A level of detail is farther from the original than the pixels asked for: the level "
-         "before it has no more vertices to give.",
-         1});
-  return std::move(*best);
-}
-
 // The coarser levels that were asked for; `finest` is the report on the finest one.
 std::vector<SceneRun> remeshCoarser(const SceneInput& input, const RemeshOptions& options,
                                     const Report& finest, const Progress& progress) {
@@ -301,7 +282,7 @@ std::vector<SceneRun> remeshCoarser(const SceneInput& input, const RemeshOptions
     const Report& finer = runs.empty() ? finest : runs.back().report;
     SceneRun run = options.lodsBy == LodsBy::Shares
                        ? remeshInBudget(input, optionsOfLevel(options, share), part)
-                       : fewestWithin(share, finer, [&](Index vertices) {
+                       : withinPixels(share, finer, [&](Index vertices) {
                            return remeshInspected(input, optionsOfPixels(options, vertices), part);
                          });
     run.report.takesOver = switchTo(run.report, finer);
@@ -374,8 +355,8 @@ std::vector<SceneRun> remeshLevels(const std::vector<io::Part>& originals, Held 
     if (options.lods.empty()) return runs;
     progress.phase("levels of detail", share, share);
     const Report finest = runs.front().report;
-    for (SceneRun& run : remeshCoarser(input, optionsOfLevels(options, finest), finest,
-                                       progress.part(share, 1))) {
+    for (SceneRun& run :
+         remeshCoarser(input, optionsOfLevels(options, finest), finest, progress.part(share, 1))) {
       runs.front().report.lods.push_back(run.report);
       runs.push_back(std::move(run));
     }
@@ -397,15 +378,15 @@ std::vector<SceneRun> simplifiedLevels(const std::vector<io::Part>& originals,
       const SceneRun& finer = runs.empty() ? finest : runs.back();
       // A share of the vertices, or their number.
       const auto levelOf = [&](double share) {
-        SceneRun run = simplified(
-            inspected, optionsOfSimplified(options, share, finest.report), finer, part);
+        SceneRun run =
+            simplified(inspected, optionsOfSimplified(options, share, finest.report), finer, part);
         run.report.input = finest.report.input;
         run.report.fidelity =
             fidelityOf({originals, run.parts, placesOf(originals)}, Maximum::Sampled, {});
         return run;
       };
       SceneRun run = options.lodsBy == LodsBy::Shares ? levelOf(wanted)
-                                                      : fewestWithin(wanted, finer.report, levelOf);
+                                                      : withinPixels(wanted, finer.report, levelOf);
       run.report.takesOver = switchTo(run.report, finer.report);
       run.report = timed(std::move(run.report), clock);
       runs.push_back(std::move(run));

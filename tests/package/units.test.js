@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Lengths with a unit: the same as the percentage or the number that they stand for.
 import assert from 'node:assert/strict';
-import { execFileSync, spawnSync } from 'node:child_process';
+import { spawnSync } from 'node:child_process';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -71,6 +71,15 @@ test('an edge length has a unit in every format', async () => {
   assert.equal((await inspect(threemf.bytes, { name: 'a.3mf' })).unit, 'mm');
 });
 
+test('a 3MF states the unit that was said', async () => {
+  for (const units of /** @type {const} */ (['in', 'm', 'mm'])) {
+    const { bytes } = await repairFile(off, { name: 'a.off', output: '3mf', units, worker: false });
+    assert.equal((await inspect(bytes, { name: 'a.3mf' })).unit, units);
+    const again = await repairFile(bytes, { name: 'a.3mf', worker: false });
+    assert.deepEqual(again.bytes, bytes);
+  }
+});
+
 test('repair takes lengths, too', async () => {
   const open = { ...ring, indices: ring.indices.slice(3 * 40) };
   const file = new TextEncoder().encode(offText(open));
@@ -92,8 +101,8 @@ test('without a unit there is one sentence, on the command line in its words', a
     run('-o', 'b.stl', '--max-error', '0.1mm'), { cwd: folder, encoding: 'utf8' });
   assert.equal(status, 2);
   assert.match(stderr, /--max-error 0\.1mm is a length.* --units mm, cm, m or in\./);
-  const words = execFileSync(process.execPath,
+  const { stderr: words } = spawnSync(process.execPath,
     run('-o', 'c.stl', '--units', 'mm', '--edge-length', '0.04cm', '--quality', 'draft'),
-    { cwd: folder, encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'] });
+    { cwd: folder, encoding: 'utf8' });
   assert.match(words, /distance to the input: [\d.]+ % \([\d.]+ mm\)/);
 });

@@ -13,13 +13,15 @@ import { RemeshError } from '../base/errors.js';
 export function neededBy(job) {
   if (job.kind === 'inspect') return job.closely ? 'whole' : 'arrays';
   if (job.kind !== 'remesh') return 'whole';
-  const { repair = 'off', quads, dropBelow, dropHidden } = job.options;
-  const isPlain = repair === 'off' && !quads && dropBelow === undefined && !dropHidden;
+  const { repair = 'off', quads, dropBelow, dropHidden, lods } = job.options;
+  const isByPixels = typeof Object(lods)[0] === 'string';
+  const isPlain = repair === 'off' && !quads && dropBelow === undefined && !dropHidden
+    && !isByPixels;
   return isPlain ? 'arrays' : 'whole';
 }
 
 const wholeIsMissing = () => new RemeshError('UNSUPPORTED',
-  'Repair and quads are not in the engine for arrays.',
+  'Repair, quads and levels by pixels are not in the engine for arrays.',
   "Import 'remesher', beside an adapter or instead of 'remesher/arrays'.");
 
 export class Modules {

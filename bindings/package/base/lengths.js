@@ -7,7 +7,9 @@ import { isGltf } from './contents.js';
 import { RemeshError } from './errors.js';
 
 /** The units that can be given. */
-export const units = /** @type {const} */ (['mm', 'cm', 'm', 'in']);
+export const units = /** @type {const} */ ([
+  'mm', 'cm', 'm', 'in',
+]);
 
 /** Metres; also of units that only 3MF has. */
 const metres = /** @type {Record<string, number>} */ (
@@ -16,6 +18,11 @@ const metres = /** @type {Record<string, number>} */ (
 /** The names that 3MF has for them. */
 const ofThreemf = /** @type {Record<string, string>} */ ({ micron: 'µm', millimeter: 'mm',
   centimeter: 'cm', meter: 'm', inch: 'in', foot: 'ft' });
+
+/** What 3MF calls a unit. @param {unknown} unit @returns {string | undefined} */
+export function threemfNameOf(unit) {
+  return Object.keys(ofThreemf).find((name) => ofThreemf[name] === unit);
+}
 
 const written = /^((?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)\s*(mm|cm|m|in)$/i;
 

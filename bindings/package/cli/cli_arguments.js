@@ -318,13 +318,20 @@ function optionHelp(option) {
       + `${option.word ? `|${option.word}` : ''}`;
   const value = option.type === 'boolean' ? '' : defaultInWords(option);
   const shown = value && ` (default: ${value})`;
-  const unit = option.unit ? `; ${option.unit}` : '';
+  const length = takesLength(option) ? ', or a length like 0.1mm' : '';
+  const unit = option.unit ? `; ${option.unit}${length}` : '';
   const text = `${option.help}${unit}${shown}`;
   return flag.length > 22 ? `  ${flag}\n${helpRow('', text)}` : helpRow(flag, text);
 }
 
+/** Headings of the help, by the option that each stands before. */
+const headings = /** @type {Record<string, string>} */ ({ preset: 'For a purpose:',
+  vertices: 'How many, and how long:', scheme: 'Triangles, and how near they are:', quads: 'Quads:',
+  textures: 'Textures:', repair: 'Repair:', lods: 'Levels of detail, and size of files:' });
+
 export function helpText() {
-  const rows = optionTable.filter(({ flag }) => flag).map(optionHelp);
+  const rows = optionTable.filter(({ flag }) => flag).flatMap((option) => [
+    ...(headings[option.name] ? ['', headings[option.name]] : []), optionHelp(option)]);
   return [
     'remesher horse.obj -o horse.glb --vertices 10000       exactly so many vertices',
     'remesher figure.glb -o small.glb --preset asset --faces 5000',
@@ -345,9 +352,9 @@ export function helpText() {
     '',
     `The formats follow the extensions: ${formats.map((name) => `.${name}`).join(' ')};`,
     'each is read from a .gz too.',
-    '',
     ...rows,
     '',
+    'The command line:',
     ...ownFlags.map(({ flag, help }) => helpRow(flag, help)),
     '',
     'Exit status: 0 done; 2 the arguments or the file are at fault; 1 our fault.',

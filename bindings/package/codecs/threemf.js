@@ -4,6 +4,7 @@
 
 import { RemeshError } from '../base/errors.js';
 import { legible } from '../base/legible.js';
+import { threemfNameOf } from '../base/lengths.js';
 import { largestInflated } from './gunzip.js';
 
 /** @typedef {import('../base/messages.js').FileRequest} FileRequest */
@@ -74,15 +75,36 @@ export async function unpackThreemf(file, limit = largestInflated) {
 /** @param {Uint8Array} a @param {Uint8Array} b */
 const areEqual = (a, b) => a.length === b.length && a.every((byte, i) => byte === b[i]);
 
+/** A model that states the unit that the caller has said. @param {Uint8Array} model
+ * @param {unknown} unit */
+function statingUnit(model, unit) {
+  const name = threemfNameOf(unit);
+  if (name === undefined) return model;
+  const longest = 1024;
+  const head = new TextDecoder().decode(model.subarray(0, longest));
+  const [tag] = /<model\b[^>]*>/.exec(head) ?? [];
+  if (tag === undefined) return model;
+  const begin = new TextEncoder().encode(head.slice(0, head.indexOf(tag))).length;
+  const end = begin + new TextEncoder().encode(tag).length;
+  const stated = new TextEncoder().encode(tag.replace(/\bunit="[^"]*"/, `unit="${name}"`));
+  const result = new Uint8Array(begin + stated.length + model.length - end);
+  result.set(model.subarray(0, begin));
+  result.set(stated, begin);
+  result.set(model.subarray(end), begin + stated.length);
+  return result;
+}
+
 /**
  * The model of a result in a package of its own, where it is a 3MF; any other file as it is. A
  * model that is the one that was read stays in its package.
  * @param {NamedBytes} file
- * @param {{ packed?: FileRequest, opened?: FileRequest }} read the file that was read
+ * @param {{ packed?: FileRequest, opened?: FileRequest, units?: unknown }} read the file that was
+ *   read, and the unit that was said
  * @returns {Promise<NamedBytes>}
  */
-export async function packThreemf({ name, bytes }, { packed, opened }) {
-  if (!isThreemf(name)) return { name, bytes };
+export async function packThreemf({ name, bytes: model }, { packed, opened, units }) {
+  if (!isThreemf(name)) return { name, bytes: model };
+  const bytes = statingUnit(model, units);
   if (packed && opened && isZip(packed.bytes) && areEqual(bytes, opened.bytes)) {
     return { name, bytes: packed.bytes };
   }

@@ -27,8 +27,8 @@ export { requireCompressible, texturesOf };
 /**
  * A result with its files packed as their formats are, and compressed if that was asked for.
  * @param {any} result
- * @param {{ packed?: FileRequest, opened?: FileRequest, compress?: 'meshopt' | 'draco' }} read
- *   the file that was read, and how to compress the one that is written
+ * @param {{ packed?: FileRequest, opened?: FileRequest, compress?: 'meshopt' | 'draco',
+ *   units?: unknown }} read the file that was read, and what was said of the one that is written
  * @returns {Promise<any>}
  */
 export async function closed(result, read) {

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "support/shapes.h"
-
 namespace remesher {
 
 namespace {
@@ -64,32 +62,6 @@ TEST_CASE("pixel levels: a result that had to have more vertices ends the search
   PixelSearch search(2, 5000);
   CHECK(search.take(resultAt(double(search.vertices()) + 100, 1)));
   CHECK(search.isSettled());
-}
-
-TEST_CASE("pixel levels: coarser levels take over farther away, where they are seen as a pixel") {
-  const Report finest = resultAt(1000, 0.1);
-  Report first = resultAt(500, 2), second = resultAt(250, 8);
-  first.takesOver = switchTo(first, finest);
-  second.takesOver = switchTo(second, first);
-  CHECK(second.takesOver->distance == doctest::Approx(4 * first.takesOver->distance));
-  CHECK(second.takesOver->coverage == doctest::Approx(first.takesOver->coverage / 16));
-  // At this distance the diagonal, seen at 50 degrees upright, has 540 pixels of 1080.
-  const double seen = 10 * 1080 / (2 * first.takesOver->distance * std::tan(0.436332313));
-  CHECK(seen == doctest::Approx(540));
-  // A level that is nearer than the finer one does not take over before it.
-  CHECK(switchTo(resultAt(100, 1), first).distance == first.takesOver->distance);
-}
-
-TEST_CASE("pixel levels: smaller parts of a scene cover less of the screen when they switch") {
-  Report finest = resultAt(1000, 0.1);
-  finest.lods = {resultAt(500, 4)};
-  finest.lods[0].takesOver = switchTo(finest.lods[0], finest);
-  std::vector<io::Part> parts(2);
-  parts[0].mesh = parts[1].mesh = shapes::tetrahedron();
-  for (Vec3& p : parts[1].mesh.positions) p *= 0.1;
-  setCoverages(parts, finest);
-  CHECK(parts[0].coverages.size() == 1);
-  CHECK(parts[1].coverages[0] == doctest::Approx(parts[0].coverages[0] / 100));
 }
 
 }  // namespace remesher

@@ -58,7 +58,8 @@ TEST_CASE("part lengths: options in percent stay as they are, and so does nothin
   CHECK_FALSE(withPercents(options, std::vector<io::Part>{}).weld.has_value());
 }
 
-TEST_CASE("part lengths: places nearer than a length in the world are joined, however it is shown") {
+TEST_CASE(
+    "part lengths: places nearer than a length in the world are joined, however it is shown") {
   for (const double size : {0.001, 1.0, 1000.0}) {
     io::Part part = shownTetrahedron(size);
     const Vec3 first = part.mesh.positions[0];
