@@ -81,13 +81,13 @@ set(small
   src/arrangement/facets.cpp
   src/arrangement/merge.cpp
   src/arrangement/rounding.cpp
+  src/bake.cpp
   src/base/diagnostics.cpp
   src/base/fires.cpp
   src/base/legible.cpp
   src/base/phase_clock.cpp
   src/base/place.cpp
   src/base/triangle_mesh.cpp
-  src/bake.cpp
   src/boolean.cpp
   src/find_faults.cpp
   src/geometry/extent.cpp

@@ -5,12 +5,12 @@ add_executable(unit_tests
   tests/unit/arrangement/dyadic_test.cpp
   tests/unit/arrangement/points_test.cpp
   tests/unit/arrangement/sheet_triangulation_test.cpp
+  tests/unit/bake_test.cpp
   tests/unit/base/diagnostics_test.cpp
   tests/unit/base/legible_test.cpp
   tests/unit/base/patience_test.cpp
   tests/unit/base/phase_clock_test.cpp
   tests/unit/base/place_test.cpp
-  tests/unit/bake_test.cpp
   tests/unit/boolean_test.cpp
   tests/unit/geometry/extent_test.cpp
   tests/unit/geometry/fast_trigonometry_test.cpp
@@ -58,8 +58,8 @@ add_executable(unit_tests
   tests/unit/jobs/face_budget_test.cpp
   tests/unit/jobs/fewest_vertices_test.cpp
   tests/unit/jobs/inspected_parts_test.cpp
-  tests/unit/jobs/open_number_test.cpp
   tests/unit/jobs/level_switches_test.cpp
+  tests/unit/jobs/open_number_test.cpp
   tests/unit/jobs/part_repair_test.cpp
   tests/unit/jobs/parts/common_frame_test.cpp
   tests/unit/jobs/parts/part_frames_test.cpp
