@@ -423,12 +423,14 @@ export function checkRepair(given, others) {
 }
 
 /** The names of the options for baking onto a mesh. */
-export const bakeNames = /** @type {const} */ (['textureSize', 'textureFormat', 'cage', 'ao']);
+export const bakeNames = /** @type {const} */ ([
+  'textureSize', 'textureFormat', 'cage', 'ao']);
 
 /** @typedef {typeof bakeNames[number]} BakeName */
 
 /** The names of the options for unwrapping. */
-export const unwrapNames = /** @type {const} */ (['textureSize']);
+export const unwrapNames = /** @type {const} */ ([
+  'textureSize']);
 
 /**
  * The options of a function that takes a few of the table, checked one by one.

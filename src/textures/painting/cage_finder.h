@@ -6,12 +6,12 @@
 
 #include "geometry/triangle_tree.h"
 #include "textures/painting/paint_source.h"
-#include "textures/painting/place_finder.h"
+#include "textures/painting/paint_finder.h"
 #include "textures/painting/place_search.h"
 
 namespace remesher {
 
-class CageFinder : public PlaceFinder {
+class CageFinder : public PaintFinder {
  public:
   // cage: a length. source must outlive the object.
   CageFinder(const PaintSource& source, double cage);

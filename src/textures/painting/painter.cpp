@@ -82,7 +82,7 @@ Vec3 inFrame(const Vec3& tangent, double side, const Vec3& normal, const Vec3& d
   return result.normalized();
 }
 
-std::unique_ptr<PlaceFinder> finderOn(const PaintSource& source, const PaintRules& rules,
+std::unique_ptr<PaintFinder> finderOn(const PaintSource& source, const PaintRules& rules,
                                       std::size_t number) {
   if (rules.cages.empty()) return std::make_unique<SideFinder>(source);
   return std::make_unique<CageFinder>(source, rules.cages[number]);
@@ -282,7 +282,7 @@ class Painter {
   PaintRules rules_;
   std::vector<Vec2> spread_;  // the points of a texel, from its corner
   std::vector<const PaintSource*> sources_;
-  std::vector<std::unique_ptr<PlaceFinder>> finders_;
+  std::vector<std::unique_ptr<PaintFinder>> finders_;
   std::vector<OcclusionMap> occlusions_;  // per source, if occlusion is painted
   std::vector<OccludedTexel> open_;       // per texel, likewise
   std::vector<std::size_t> lost_;         // texels for which nothing was found
@@ -292,7 +292,7 @@ class Painter {
   // The triangle being painted.
   const CanvasTriangle* triangle_ = nullptr;
   const PaintSource* source_ = nullptr;
-  PlaceFinder* finder_ = nullptr;
+  PaintFinder* finder_ = nullptr;
   RimmedTriangle outline_;
   Sheet points_, facings_, normals_, tangents_;
   // The texel being painted.

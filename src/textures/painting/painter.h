@@ -11,7 +11,7 @@
 #include "base/progress.h"
 #include "textures/painting/canvas.h"
 #include "textures/painting/paint_source.h"
-#include "textures/painting/place_finder.h"
+#include "textures/painting/paint_finder.h"
 
 namespace remesher {
 

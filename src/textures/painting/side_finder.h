@@ -12,11 +12,11 @@
 #include <vector>
 
 #include "textures/painting/paint_source.h"
-#include "textures/painting/place_finder.h"
+#include "textures/painting/paint_finder.h"
 
 namespace remesher {
 
-class SideFinder : public PlaceFinder {
+class SideFinder : public PaintFinder {
  public:
   explicit SideFinder(const PaintSource& source);
 

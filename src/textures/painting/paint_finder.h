@@ -21,12 +21,12 @@ struct MovingPlace {
   Vec3 perX, perY;
 };
 
-class PlaceFinder {
+class PaintFinder {
  public:
-  PlaceFinder() = default;
-  PlaceFinder(const PlaceFinder&) = delete;
-  PlaceFinder& operator=(const PlaceFinder&) = delete;
-  virtual ~PlaceFinder() = default;
+  PaintFinder() = default;
+  PaintFinder(const PaintFinder&) = delete;
+  PaintFinder& operator=(const PaintFinder&) = delete;
+  virtual ~PaintFinder() = default;
 
   // The triangle for all following queries.
   virtual void enter(const NewTriangle& triangle) = 0;
