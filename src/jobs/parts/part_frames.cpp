@@ -82,6 +82,12 @@ bool areInWorld(const std::vector<io::Part>& parts) {
   });
 }
 
+// The number in single precision, if x is that but for the rounding of the way here and back.
+double asSingle(double x, double rounding) {
+  const double single = static_cast<float>(x);
+  return std::abs(single - x) <= rounding ? single : x;
+}
+
 // The way from the frame to written places.
 Transform writtenFrom(const Frame& frame) {
   Transform way = Transform::Identity();
@@ -101,6 +107,13 @@ double unitScale(const HalfBox& box) {
   const int power = std::max(bySize, std::ilogb(farthest) + 1 - kFarAway);
   if (std::abs(power) <= kUsual) return 1;
   return std::ldexp(1.0, -std::clamp(power, -kFarthest, kFarthest));
+}
+
+// The way from written places to the frame.
+Transform hereFrom(const Frame& frame) {
+  Transform way = Transform::Identity();
+  way.scale(frame.scale()).translate(-frame.written(Vec3::Zero()));
+  return way;
 }
 
 }  // namespace
@@ -166,7 +179,7 @@ Transform PartFrames::placed(Transform place, std::size_t part) const {
   if (!isWorldCommon_)
     place = place.pretranslate(-world_.middle) * common;
   else if (!isIdentity(place))
-    place = common.inverse() * place * common;
+    place = hereFrom(common_->frame) * place * common;
   place.translate(origins_[part]);
   if (!isWorldCommon_) place.prescale(world_.unit);
   return place.scale(1 / local_[part]);
@@ -207,10 +220,13 @@ std::vector<io::Part> PartFrames::undone(std::vector<io::Part> parts,
                                          const std::vector<io::Part>& originals) const {
   for (std::size_t i = 0; i < parts.size(); ++i) {
     TriangleMesh& mesh = parts[i].mesh;
+    const Frame frame = frameOf(i);
+    const double rounding =
+        0x1p-50 * (frame.written(Vec3::Zero()).cwiseAbs().maxCoeff() + 2 / frame.scale());
     for (Vec3& p : mesh.positions) {
       p = undone(i, p);
-      // What was rounded before is at most a step of double precision away.
-      if (mesh.isSingle && common_) p = p.cast<float>().cast<double>();
+      if (!mesh.isSingle || !common_) continue;
+      for (double& x : p) x = asSingle(x, rounding);
     }
     mesh.frame = {};
     parts[i].instances = originals[i].instances;
