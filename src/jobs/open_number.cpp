@@ -78,10 +78,10 @@ class OpenNumber {
  private:
   // About the fewest vertices of a draft that is isotropic; 0 if none was found.
   double fewestDrafted(double own) const {
-    double fails = own, does = 2 * own;
+    double fails = own, does = kMostTaken * own;
     while (!isDraftIsotropic(does)) {
       fails = std::exchange(does, 2 * does);
-      if (does > std::max(kMostTaken * own, kMostTried)) return 0;
+      if (does > kMostTried) return 0;
     }
     while (does > kNearNumber * fails && does - fails > 1) {
       const double between = std::ceil(std::sqrt(fails * does));

@@ -212,7 +212,8 @@ Vertex FacetedMesh::divide(Face f, const Vec2& place) {
   const Vec2 p = frames_[facet].flat(found.position);
   for (int k = 0; k < 3; ++k) {
     const Halfedge h = HalfedgeMesh::halfedge(f, k);
-    if (orient2d(flat(mesh_.origin(h), facet), flat(mesh_.tip(h), facet), p) <= 0) return {};
+    // Not so either where the place is no number.
+    if (!(orient2d(flat(mesh_.origin(h), facet), flat(mesh_.tip(h), facet), p) > 0)) return {};
   }
   Halfedge h = HalfedgeMesh::halfedge(f);
   for (int k = 0; k < 3 && !mesh_.twin(h); ++k) h = mesh_.next(h);
@@ -320,8 +321,9 @@ std::optional<SurfacePoint> FacetedMesh::across(const SurfacePoint& point, Index
   return result;
 }
 
+// Of a place without numbers, beside a triangle that is hardly more than a line, a corner.
 SurfacePoint FacetedMesh::nearestIn(Index facet, const Vec3& p) const {
-  SurfacePoint best;
+  SurfacePoint best{faces_[facet].front(), Vec3::Unit(0)};
   double least = kInfinity;
   for (const Face f : faces_[facet]) {
     const auto [a, b, c] = original_.mesh.vertices(f);

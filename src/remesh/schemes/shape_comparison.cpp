@@ -28,6 +28,10 @@ constexpr Samples kGlimpse = {1000, 1};
 // with more, even triangles are worth more than the last dents.
 constexpr double kMostDivided = 4;
 
+// By how much less, in degrees on average, the angles of a mesh of facets may be: its shape is
+// exact.
+constexpr double kHardlyLess = 2;
+
 // Whether nothing is drawn on the surface: there even triangles are worth more than half a pixel.
 bool isPlain(const TriangleMesh& input, Textures textures) {
   const auto isDrawn = [](const Attribute& attribute) {
@@ -47,6 +51,16 @@ double meanAngleOf(const TriangleMesh& mesh) {
     mean += degrees(minAngle(at(0), at(1), at(2))) / double(mesh.triangleCount());
   }
   return mean;
+}
+
+double meanAngleOf(const WorkingMesh& mesh) {
+  double sum = 0;
+  for (Index f = 0; f < mesh.mesh().faceCapacity(); ++f) {
+    if (!mesh.mesh().isAlive(Face(f))) continue;
+    const auto [a, b, c] = mesh.corners(Face(f));
+    sum += degrees(minAngle(a, b, c));
+  }
+  return sum / double(mesh.mesh().faceCount());
 }
 
 // Adds vertices to a mesh of so many places, all at once or a third at a time; then, edges flip
@@ -184,7 +198,10 @@ std::optional<Followed>& ShapeComparison::conforming() {
 bool ShapeComparison::hasConforming() { return conforming().has_value(); }
 
 bool ShapeComparison::isConformingBetter(const WorkingMesh& isotropic) {
-  return hasFlats() && isSeen(isotropic) && conforming();
+  if (!hasFlats()) return false;
+  if (isSeen(isotropic)) return conforming().has_value();
+  return isFaceted(original_.surface().built()) && conforming() &&
+         meanAngleOf(conforming()->mesh) >= meanAngleOf(isotropic) - kHardlyLess;
 }
 
 bool ShapeComparison::endsEarly(const WorkingMesh& unfinished) {

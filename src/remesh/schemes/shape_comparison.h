@@ -38,7 +38,7 @@ class ShapeComparison {
   // Whether the simplified mesh exists and is so much nearer that it is worth its uneven triangles.
   bool isSimplifiedNearer(const WorkingMesh& isotropic);
   // Whether a mesh conforms to the facets of flat sides and is better than finished isotropic
-  // triangles, because these are seen to be away.
+  // triangles, because these are seen to be away or hardly more even.
   bool isConformingBetter(const WorkingMesh& isotropic);
   bool hasConforming();
   // Whether more vertices are wanted than the original has, and flat sides show each dent.
