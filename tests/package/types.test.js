@@ -27,8 +27,8 @@ const functions = {
     + 'Promise<BooleanResult>',
   booleanFiles: 'booleanFiles(a: Bytes, b: Bytes, operation: BooleanOperation, '
     + 'options?: OperandOptions & OutputOptions & RunOptions): Promise<BooleanFilesResult>',
-  convertFile: 'convertFile(bytes: Bytes, options?: FileOptions & OutputOptions & RunOptions): '
-    + 'Promise<ConvertFileResult>',
+  convertFile: 'convertFile(bytes: Bytes, options?: ConvertOptions & FileOptions & OutputOptions '
+    + '& RunOptions): Promise<ConvertFileResult>',
   inspect: 'inspect(bytesOrMesh: Bytes | Mesh, options?: InspectOptions & FileOptions & '
     + 'RunOptions): Promise<Inspection>',
 };
@@ -74,7 +74,7 @@ const takes = {
   boolean: [`${mesh}, ${mesh}, 'union'`, ofRun],
   booleanFiles: [`${bytes}, ${bytes}, 'subtract'`, { nameA: "'a.obj'", nameB: "'b.stl'",
     resourcesA: `{ 'a.mtl': ${bytes} }`, resourcesB: '{}', ...ofRun, ...ofOutput }],
-  convertFile: [bytes, { ...ofRun, ...ofFile, ...ofOutput }],
+  convertFile: [bytes, { ...ofRun, ...ofFile, ...ofOutput, compress: "'draco'" }],
   inspect: [bytes, { faults: 'true', edges: 'false', ...ofRun, ...ofFile }],
 };
 

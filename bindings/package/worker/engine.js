@@ -165,6 +165,16 @@ function withPresetSettled(job) {
 const compressionOf = (job) => /** @type {'meshopt' | 'draco' | undefined} */ (
   'options' in job ? job.options?.compress : undefined);
 
+/** Refuses to compress what is no glTF file. @param {Job} job */
+async function requireFile(job) {
+  if ('file' in job) {
+    (await scripts.whole()).requireCompressible(job.file.output);
+    return;
+  }
+  throw new RemeshError('INVALID_OPTION', '--compress is of files, and arrays are none.',
+    'Give the file to remeshFile or repairFile.');
+}
+
 /** @param {Job} job its files neither packed nor compressed */
 const unitOfJob = (job) => unitOf('options' in job ? job.options : {},
   'file' in job ? job.file : undefined);
@@ -252,9 +262,7 @@ export class Engine {
    * @returns {Promise<any>}
    */
   async run(job, onProgress) {
-    if ('file' in job && compressionOf(job)) {
-      (await scripts.whole()).requireCompressible(job.file.output);
-    }
+    if (compressionOf(job)) await requireFile(job);
     const settled = withPresetSettled(await plain(job));
     const outcome = withUnitSaid(settled, withPresetSaid(settled,
       await this.#painted(withLengthsSettled(settled), onProgress)));
