@@ -168,7 +168,7 @@ const compressionOf = (job) => /** @type {'meshopt' | 'draco' | undefined} */ (
 /** Refuses to compress what is no glTF file. @param {Job} job */
 async function requireFile(job) {
   if ('file' in job) {
-    (await scripts.whole()).requireCompressible(job.file.output);
+    (await import('../codecs/compress.js')).requireCompressible(job.file.output);
     return;
   }
   throw new RemeshError('INVALID_OPTION', '--compress is of files, and arrays are none.',
@@ -202,7 +202,7 @@ async function withTexturesListed(outcome, job) {
   const isInspected = job.kind === 'inspectFile' && isGltf(job.file.bytes);
   const isMade = outcome.report && outcome.files && namesGltf(outcome.files[0].name);
   if (!isInspected && !isMade) return outcome;
-  const { texturesOf } = await scripts.whole();
+  const { texturesOf } = await import('../textures/gltf_images.js');
   if (isInspected) return { ...outcome, textures: texturesOf(job.file) };
   const [{ name, bytes }, ...resources] = outcome.files;
   const textures = texturesOf({ name, bytes, resources });
