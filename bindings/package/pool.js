@@ -195,8 +195,9 @@ export class Pool {
    * Writes a file in another format, as the package's function does.
    *
    * @param {Package.Bytes} bytes The file.
-   * @param {Package.FileOptions & Package.OutputOptions & Package.RunOptions} [options] Its name,
-   *   the result's name, and how to run.
+   * @param {Package.ConvertOptions & Package.FileOptions & Package.OutputOptions
+   *   & Package.RunOptions} [options] How to compress it, its name, the result's name, and how to
+   *   run.
    * @returns {Promise<Package.ConvertFileResult>} The new file. Rejects with a `RemeshError`.
    */
   convertFile(bytes, options) {

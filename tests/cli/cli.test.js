@@ -75,8 +75,8 @@ test('--json is the whole report and nothing else on standard output', () => {
   assert.equal(status, 0, stderr);
   assert.equal(stderr, '');
   const report = JSON.parse(stdout);
-  assert.deepEqual(Object.keys(report).sort(), ['chosen', 'fidelity', 'input', 'memory', 'output',
-    'phases', 'prefer', 'stopped', 'timings', 'version', 'warnings']);
+  assert.deepEqual(Object.keys(report).sort(), ['chosen', 'diagonal', 'fidelity', 'input',
+    'memory', 'output', 'phases', 'prefer', 'stopped', 'timings', 'version', 'warnings']);
   assert.equal(report.output.vertices, 600);
   assert.equal(report.chosen.rule, 'rounds');
   assert.ok(report.fidelity.hausdorff > 0 && report.fidelity.hausdorff < 2);
@@ -138,8 +138,8 @@ test('wrong words are named, with what to do', () => {
   isRefused(/--vertices must be a whole number.*not 'many'/,
     'torus.off', '-o', 'x.off', '--vertices', 'many');
   isRefused(/--vertices must be .*not 0/, 'torus.off', '-o', 'x.off', '--vertices', '0');
-  isRefused(/--gap must be a number above 0, up to 20, not 200/, 'torus.off', '-o', 'x.off',
-    '--gap', '200');
+  isRefused(/--gap must be .* above 0, up to 20, or a length like 0\.1mm, not 200/,
+    'torus.off', '-o', 'x.off', '--gap', '200');
   isRefused(/--gradation must be a number above 1/, 'torus.off', '-o', 'x.off',
     '--gradation', '1');
   isRefused(/two input files, torus\.off and b\.off/, 'torus.off', 'b.off', '-o', 'x.off');

@@ -253,7 +253,7 @@ test('images in every format, in and out, within a .glb and beside a .gltf', asy
   }
 });
 
-/** A map of normals that lean a little, as a JPEG or a PNG. @param {'image/jpeg' | 'image/png'} type */
+/** A map of normals that lean a little. @param {'image/jpeg' | 'image/png'} type */
 function leaning(type) {
   const width = 64;
   const pixels = Uint8Array.from({ length: 4 * width * width }, (_, at) =>

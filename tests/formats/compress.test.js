@@ -8,7 +8,7 @@ import { NodeIO } from '@gltf-transform/core';
 import { ALL_EXTENSIONS } from '@gltf-transform/extensions';
 import draco3d from 'draco3dgltf';
 import { MeshoptDecoder } from 'meshoptimizer/decoder';
-import { convertFile, remeshFile, repairFile } from 'remesher';
+import { convertFile, remesh, remeshFile, repairFile } from 'remesher';
 
 import { rejectsWith } from '../support/errors.js';
 import { GltfMaker, openGltf, validate } from '../support/gltf.js';
@@ -193,6 +193,8 @@ test('points far from the origin stay apart', async () => {
 test('other formats are refused in a sentence', async () => {
   await rejectsWith(convertFile(off, { name: 'torus.off', output: 'stl', compress: 'draco' }),
     'INVALID_OPTION', /compress is of glTF, and torus\.stl is none/);
+  await rejectsWith(remesh(torus(), { compress: 'draco', worker: false }), 'INVALID_OPTION',
+    /compress is of files/);
   await rejectsWith(convertFile(off, { name: 'torus.off', output: 'glb', compress: 'zip' }),
     'INVALID_OPTION', /one of meshopt, draco/);
 });

@@ -56,7 +56,8 @@ test('the package manager follows from the system', () => {
 });
 
 test('a Debian that has it all misses nothing', () => {
-  assert.deepEqual(missingNeeds(debian, ['package', 'tests', 'integration', 'lint', 'measure', 'sanitized']), []);
+  assert.deepEqual(missingNeeds(debian,
+    ['package', 'tests', 'integration', 'lint', 'measure', 'sanitized']), []);
   assert.deepEqual(wasmDefinitions(debian)[0],
     `-DCMAKE_TOOLCHAIN_FILE=/usr/share/emscripten/${toolchain}`);
   assert.ok(testDefinitions(debian).includes('-DCMAKE_CXX_COMPILER=/usr/bin/clang++'));

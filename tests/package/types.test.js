@@ -35,8 +35,8 @@ const functions = {
   unwrap: 'unwrap(mesh: Mesh, options?: UnwrapOptions & RunOptions): Promise<UnwrapResult>',
   unwrapFile: 'unwrapFile(bytes: Bytes, options?: UnwrapOptions & FileOptions & OutputOptions & '
     + 'RunOptions): Promise<AtlasFileResult>',
-  convertFile: 'convertFile(bytes: Bytes, options?: FileOptions & OutputOptions & RunOptions): '
-    + 'Promise<ConvertFileResult>',
+  convertFile: 'convertFile(bytes: Bytes, options?: ConvertOptions & FileOptions & OutputOptions '
+    + '& RunOptions): Promise<ConvertFileResult>',
   inspect: 'inspect(bytesOrMesh: Bytes | Mesh, options?: InspectOptions & FileOptions & '
     + 'RunOptions): Promise<Inspection>',
 };
@@ -88,7 +88,7 @@ const takes = {
     nameLow: "'b.obj'", resourcesLow: '{}' }],
   unwrap: [mesh, { textureSize: ofTable.textureSize, ...ofRun }],
   unwrapFile: [bytes, { textureSize: ofTable.textureSize, ...ofRun, ...ofFile, ...ofOutput }],
-  convertFile: [bytes, { ...ofRun, ...ofFile, ...ofOutput }],
+  convertFile: [bytes, { ...ofRun, ...ofFile, ...ofOutput, compress: "'draco'" }],
   inspect: [bytes, { faults: 'true', edges: 'false', ...ofRun, ...ofFile }],
 };
 

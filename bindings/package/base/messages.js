@@ -212,7 +212,8 @@
  * @property {Memory} memory How much memory the run took.
  * @property {Phase[]} phases All phases of the run, in order.
  * @property {Warning[]} warnings What was mended or left out.
- * @property {Texture[]} [textures] The images of a glTF file: of an inspected one, or of the result.
+ * @property {Texture[]} [textures] The images of a glTF file: of what was inspected, or of the
+ *   result.
  * @property {FaultSummary} [faults] What is broken, if the inspection was asked for it.
  * @property {EdgeSummary} [edges] The edges by kind, if the inspection was asked for them.
  */

@@ -275,7 +275,7 @@ export function rangeInWords(option) {
   if (option.type === 'pairs') return 'a Uint32Array of vertex pairs, or an array of pairs';
   const kind = option.type === 'integer' ? 'a whole number' : 'a number';
   const length = takesLength(option) ? ', a length like 0.1mm' : '';
-  const off = `${length}${option.word ? `, or ${option.word}` : ''}`;
+  const off = option.word ? `${length}, or ${option.word}` : length.replace(' a', ' or a');
   const most = option.max === undefined ? '' : `, up to ${option.max}`;
   if (option.above !== undefined) return `${kind} above ${option.above}${most}${off}`;
   return `${kind} from ${option.min} to ${option.max}${off}`;

@@ -178,6 +178,16 @@ function withPresetSettled(job) {
 const compressionOf = (job) => /** @type {'meshopt' | 'draco' | undefined} */ (
   'options' in job ? job.options?.compress : undefined);
 
+/** Refuses to compress what is no glTF file. @param {Job} job */
+async function requireFile(job) {
+  if ('file' in job) {
+    (await import('../codecs/compress.js')).requireCompressible(job.file.output);
+    return;
+  }
+  throw new RemeshError('INVALID_OPTION', '--compress is of files, and arrays are none.',
+    'Give the file to remeshFile or repairFile.');
+}
+
 /** @param {Job} job its files neither packed nor compressed */
 const unitOfJob = (job) => unitOf('options' in job ? job.options : {},
   'file' in job ? job.file : undefined);
@@ -205,7 +215,7 @@ async function withTexturesListed(outcome, job) {
   const isInspected = job.kind === 'inspectFile' && isGltf(job.file.bytes);
   const isMade = outcome.report && outcome.files && namesGltf(outcome.files[0].name);
   if (!isInspected && !isMade) return outcome;
-  const { texturesOf } = await scripts.whole();
+  const { texturesOf } = await import('../textures/gltf_images.js');
   if (isInspected) return { ...outcome, textures: texturesOf(job.file) };
   const [{ name, bytes }, ...resources] = outcome.files;
   const textures = texturesOf({ name, bytes, resources });
@@ -265,9 +275,7 @@ export class Engine {
    * @returns {Promise<any>}
    */
   async run(job, onProgress) {
-    if ('file' in job && compressionOf(job)) {
-      (await scripts.whole()).requireCompressible(job.file.output);
-    }
+    if (compressionOf(job)) await requireFile(job);
     const settled = withPresetSettled(await plain(job));
     const outcome = withUnitSaid(settled, withPresetSaid(settled,
       await this.#painted(withLengthsSettled(settled), onProgress)));

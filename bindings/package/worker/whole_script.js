@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What the whole engine needs of JavaScript.
 
-import { compressed, requireCompressible } from '../codecs/compress.js';
 import { decompress } from '../codecs/decompress.js';
 import { gunzipAll } from '../codecs/gunzip.js';
 import { packThreemf, unpackThreemf } from '../codecs/threemf.js';
-import { texturesOf } from '../textures/gltf_images.js';
 
 /** @typedef {import('../base/messages.js').FileRequest} FileRequest */
 /** @typedef {import('../base/messages.js').NamedBytes} NamedBytes */
@@ -22,8 +20,6 @@ export async function opened(job) {
   return { ...job, file: await decompress(await unpackThreemf(await gunzipAll(job.file))) };
 }
 
-export { requireCompressible, texturesOf };
-
 /**
  * A result with its files packed as their formats are, and compressed if that was asked for.
  * @param {any} result
@@ -36,6 +32,7 @@ export async function closed(result, read) {
   const files = await Promise.all(
     result.files.map((/** @type {NamedBytes} */ file) => packThreemf(file, read)));
   if (!read.compress) return { ...result, files };
+  const { compressed } = await import('../codecs/compress.js');
   const { files: smaller, compression } = await compressed(files, read.compress);
   return result.report
     ? { ...result, files: smaller, report: { ...result.report, compression } }
