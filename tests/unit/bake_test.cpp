@@ -79,6 +79,33 @@ TEST_CASE("unwrap: of files, formats without texture coordinates are refused") {
   CHECK_THROWS_AS(unwrapFile({}, "part.stl", {}), Error);
 }
 
+TEST_CASE("unwrap: files get texture coordinates in any format, even their own without any") {
+  const auto textOf = [](const std::string& given, const std::string& name) {
+    const File file{name, {given.begin(), given.end()}};
+    const RemeshFileResult run = unwrapFile({file, {}}, name, {});
+    const auto& bytes = run.files.front().bytes;
+    return std::string(bytes.begin(), bytes.end());
+  };
+  const auto has = [](const std::string& text, const char* part) {
+    return text.find(part) != std::string::npos;
+  };
+  const std::string obj =
+      textOf("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n", "a.obj");
+  CHECK(has(obj, "\nvt "));
+  CHECK(has(obj, "f 1/1"));
+  const std::string ply = textOf(
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float "
+      "z\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 "
+      "0\n0 "
+      "0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n",
+      "a.ply");
+  CHECK(has(ply, "ascii"));
+  CHECK(has(ply, "property float s\n"));
+  CHECK(has(textOf("OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n",
+                   "a.off"),
+            "STOFF"));
+}
+
 TEST_CASE("unwrap: of arrays, the same triangles") {
   const TriangleMesh ball = ballOf(4);
   const UnwrapResult result = unwrap(ball, {});

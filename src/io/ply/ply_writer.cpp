@@ -163,7 +163,9 @@ WrittenFiles writePly(const Model& model, const std::string& outputName) {
     return {{{outputName, source->original.bytes}}, {}};
   std::vector<Part> parts = bakeInstances(model);
   const TriangleMesh mesh = source == nullptr ? mergeParts(parts) : std::move(parts[0].mesh);
-  const Layout layout = source == nullptr ? layoutFor(mesh) : layoutLike(*source, mesh);
+  const bool isLikeSource = source != nullptr && !model.hasNewTexcoords;
+  Layout layout = isLikeSource ? layoutLike(*source, mesh) : layoutFor(mesh);
+  if (source != nullptr) layout.encoding = source->header.encoding;
   const WeldedMesh written =
       layout.hasCornerTexcoords ? weldedAcrossTexcoords(mesh) : WeldedMesh{mesh, {}};
   PlySink sink(headerOf(layout, written.mesh));

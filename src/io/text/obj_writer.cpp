@@ -234,7 +234,12 @@ WrittenFiles writeObj(const Model& model, const std::string& outputName) {
   ObjWriter writer(digitsFor(meshes, model.isExact ? Digits::OfDoubles : Digits::Fewest));
   std::vector<File> libraries;
   if (source != nullptr) libraries = passLibrariesOn(*source, outputName, writer);
-  for (const Part& part : bodies) writer.writePart({&part.mesh, groupsFor(part, source)});
+  for (const Part& part : bodies) {
+    std::vector<ObjGroup> groups = groupsFor(part, source);
+    if (model.hasNewTexcoords)
+      for (ObjGroup& group : groups) group.hasTexcoords = true;
+    writer.writePart({&part.mesh, std::move(groups)});
+  }
   WrittenFiles written;
   written.files.push_back({outputName, writer.bytes()});
   written.files.insert(written.files.end(), libraries.begin(), libraries.end());
