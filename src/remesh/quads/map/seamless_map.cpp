@@ -33,6 +33,13 @@ MapPoint turned(const MapPoint& p, int turn) {
   }
 }
 
+// Whether whole numbers hold the values, and sums of some: a system that is nearly singular has
+// values without bounds.
+bool areBounded(const Eigen::VectorXd& values) {
+  constexpr double kMost = 0x1p34;
+  return values.size() == 0 || (values.allFinite() && values.cwiseAbs().maxCoeff() < kMost);
+}
+
 // Whether all triangles are small enough for exact areas: where surfaces are wild, maps fold far.
 bool isExact(const SeamlessMap& map) {
   for (Index i = 0; i < map.corners.size(); ++i) {
@@ -79,6 +86,7 @@ std::optional<SeamlessMap> MapMaker::map(double length, std::span<const double> 
     mark += std::sqrt(double(i)) * values[i];
   if (std::find(known.begin(), known.end(), mark) != known.end()) return {};
   untangle(values, {mesh_, frames_, system_, sizes_, length});
+  if (!areBounded(values)) return {};
   SeamlessMap map = inWholes(values);
   map.mark = mark;
   if (!isExact(map)) return {};
