@@ -68,7 +68,7 @@ TEST_CASE("conformed: a part with more vertices than its own never has less of i
       const MeshReport report = inspectMesh(made.mesh);
       CHECK(report.vertices == vertices);
       CHECK(report.eulerCharacteristic == own.eulerCharacteristic);
-      CHECK(error(part, made.mesh) <= 0.05);
+      CHECK(error(part, made.mesh) < 1e-6);
       CHECK(selfIntersections(made.mesh).empty());
       CHECK(report.minAngle.mean > own.minAngle.mean - 1);
     }
