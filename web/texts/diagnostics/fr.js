@@ -69,8 +69,8 @@ export default {
     + 'plus.',
   'warning.LEVELS_REPLACED': 'Les niveaux de détail qu’avait le fichier font place à ceux '
     + 'demandés.',
-  'warning.LEVEL_FARTHER_THAN_ASKED': 'Un niveau de détail s’écarte de plus de pixels que demandé : '
-    + 'le niveau précédent n’a pas plus de sommets.',
+  'warning.LEVEL_FARTHER_THAN_ASKED': 'Un niveau de détail s’écarte de plus de pixels que demandé '
+    + ': le niveau précédent n’a pas plus de sommets.',
   'warning.LEVEL_NOT_COARSER': 'Un niveau de détail est aussi fin que le précédent : les bords '
     + 'de ses îlots ont besoin de tous ses sommets.',
   'warning.MAP_NOT_PAINTED': 'Une texture ou des variantes de matériaux ne peuvent pas être '
