@@ -76,7 +76,8 @@ export default {
   'help.textureSize': 'des nouvelles textures, d’un côté ; sans indication aussi fine que celle de '
     + 'l’original, jusqu’à 4096',
   'help.textureFormat': 'des nouvelles textures ; sans indication comme elles sont venues : webp '
-    + 'si toutes étaient en WebP, sinon jpeg, mais png pour la transparence et les normales non JPEG',
+    + 'si toutes étaient en WebP, sinon jpeg, mais png pour la transparence et les normales '
+    + 'non JPEG',
   'unit.texels': 'texels',
   'option.cavities': 'Garder les cavités',
   'option.sheets': 'Feuilles',
