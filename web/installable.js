@@ -40,8 +40,9 @@ export function installable() {
       const { warnings } = await injectManifest({
         swSrc: worker, swDest: worker, globDirectory: outDir,
         globPatterns: ['**/*.{html,js,css,wasm,woff2,obj,glb,svg,webmanifest}'],
-        // The page takes files only, so it never loads the engine for arrays.
-        globIgnores: ['offline.js', '**/{remesher_arrays,arrays_script}-*'],
+        // The page takes files only and compresses none: it never loads what these are for.
+        globIgnores: ['offline.js',
+          '**/{remesher_arrays,arrays_script,draco_encoder,meshopt_encoder,compress}-*'],
         maximumFileSizeToCacheInBytes: 2 ** 24,
         dontCacheBustURLsMatching: /^assets\//,
       });

@@ -18,6 +18,17 @@ export function withoutUnused() {
   };
 }
 
+/** @returns {import('vite').Plugin} for the page's workers: what it writes is not compressed */
+export function withoutCompression() {
+  return {
+    name: 'without-compression',
+    enforce: 'pre',
+    resolveId: (source) => (/\/codecs\/compress\.js$/.test(source) ? nothing : null),
+    load: (id) => (id === nothing ? 'export const compressed = null, requireCompressible = null;'
+      : null),
+  };
+}
+
 /** The WebAssembly begins to load before any script has run.
  * @returns {import('vite').Plugin} for the page */
 export function earlyWasm() {
