@@ -66,6 +66,7 @@ set(linear
   src/repair/solid/clean_up.cpp
   src/simplify/attribute_quadrics.cpp
   src/simplify/simplify.cpp
+  src/simplify/thin_out.cpp
   src/textures/painting/cage_finder.cpp
   src/textures/painting/canvas.cpp
   src/textures/painting/line_search.cpp
@@ -179,6 +180,7 @@ set(small
   src/jobs/parts/quad_diagonals.cpp
   src/jobs/repair_words.cpp
   src/jobs/scene_run.cpp
+  src/jobs/thinned_parts.cpp
   src/measure/distance_bound.cpp
   src/measure/edge_report.cpp
   src/measure/mesh_report.cpp

@@ -17,6 +17,7 @@
 #include "jobs/parts/quad_diagonals.h"
 #include "jobs/run_guards.h"
 #include "jobs/scene_run.h"
+#include "jobs/thinned_parts.h"
 
 namespace remesher {
 namespace {
@@ -125,6 +126,7 @@ RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
   std::vector<SceneRun> runs = inFile(input.file.name, [&]() -> std::vector<SceneRun> {
     model.parts = joinedPlaces(std::move(model.parts), options);
     if (options.quads) model.parts = cutAlongShorter(std::move(model.parts));
+    const ThinnedParts thinned(model.parts, options);
     std::vector<io::Part> given;
     if (options.repair != Repair::Off && !input.pictures.empty()) given = model.parts;
     const double mended = kReadShare + (1 - kReadShare) * mendShare(options);
@@ -132,7 +134,7 @@ RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
     model.leftOut = mending.leftOut();
     const Progress body = whole.part(mended, 1);
     std::vector<SceneRun> all;
-    RemeshOptions chosen = mending.chosen(options);
+    RemeshOptions chosen = thinned.applied(mending.chosen(options));
     if (mending.isRemade() && !input.pictures.empty() && io::canHold(outputName, io::kHoldsImages))
       chosen = withPaint(std::move(chosen), model);
     if (chosen.textures == Textures::Bake)
@@ -142,6 +144,7 @@ RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
     else
       all = remeshLevels(model.parts, heldIn(outputName), chosen, body);
     mending.note(all.front().report);
+    thinned.note(all);
     return all;
   });
   whole.phase("write", 1, 1);

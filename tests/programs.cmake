@@ -203,6 +203,7 @@ add_executable(unit_tests
   tests/unit/repair/stitch_test.cpp
   tests/unit/simplify/divide_test.cpp
   tests/unit/simplify/simplify_test.cpp
+  tests/unit/simplify/thin_out_test.cpp
   tests/unit/textures/bake_onto_test.cpp
   tests/unit/textures/charts/atlas_figures_test.cpp
   tests/unit/textures/charts/unwrap_test.cpp

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "jobs/thinned_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "geometry/triangle_tree.h"
+#include "jobs/parts/part_lengths.h"
+#include "jobs/parts/part_places.h"
+#include "jobs/parts/part_report.h"
+#include "simplify/thin_out.h"
+
+namespace remesher {
+namespace {
+
+// The most vertices of an original whose distance is measured.
+constexpr std::size_t kMostSamples = 2'000'000;
+
+// Whether no option needs the original itself.
+bool allowsThinning(const RemeshOptions& options) {
+  const bool isBound = options.maxError || options.lengths.maxError || options.fidelity ||
+                       options.projection == Projection::Current;
+  const bool isNumbered = !options.density.empty() || !options.featureEdges.empty();
+  const bool isMended = options.repair != Repair::Off || options.dropBelow ||
+                        options.lengths.dropBelow || options.dropFloaters || options.dropHidden;
+  return options.scheme == Scheme::Best && !isBound && !isNumbered && !isMended && !options.quads &&
+         options.textures != Textures::Bake;
+}
+
+// The vertices asked for; of an edge length and of no number it is not known yet.
+std::optional<double> askedVertices(const RemeshOptions& options, double given) {
+  std::optional<double> asked;
+  if (options.ratio) asked = *options.ratio * given;
+  if (options.faces) asked = double(*options.faces) / 2;
+  if (options.vertices) asked = double(*options.vertices);
+  if (!asked || options.edgeLength) return {};
+  double finest = 1;
+  if (options.lodsBy == LodsBy::Shares)
+    for (const double share : options.lods) finest = std::max(finest, share);
+  return *asked * finest;
+}
+
+bool isFine(const io::Part& part, double asked, const ThinningLimits& limits) {
+  const double triangles = double(part.mesh.triangleCount());
+  return triangles > double(limits.triangles) && triangles > double(limits.perVertex) * asked;
+}
+
+std::vector<Vec3> someOf(const std::vector<Vec3>& positions, const std::vector<Index>& indices) {
+  std::vector<char> isUsed(positions.size(), 0);
+  for (const Index v : indices) isUsed[v] = 1;
+  const std::size_t step = (positions.size() + kMostSamples - 1) / kMostSamples;
+  std::vector<Vec3> some;
+  for (std::size_t v = 0; v < positions.size(); v += step)
+    if (isUsed[v]) some.push_back(positions[v]);
+  return some;
+}
+
+}  // namespace
+
+ThinnedParts::ThinnedParts(std::vector<io::Part>& parts, const RemeshOptions& options,
+                           const ThinningLimits& limits) {
+  if (!allowsThinning(options) || (options.ratio && parts.size() > 1)) return;
+  double vertices = 0;
+  for (const io::Part& part : parts) vertices += double(part.mesh.positions.size());
+  const std::optional<double> rough = askedVertices(options, vertices);
+  const auto isFineFor = [&](double asked) {
+    return std::any_of(parts.begin(), parts.end(),
+                       [&](const io::Part& part) { return isFine(part, asked, limits); });
+  };
+  if (!rough || !isFineFor(*rough)) return;
+  input_ = inspectParts(parts, weldingsOf(parts), placesOf(parts));
+  input_.diagonal = worldDiagonal(parts);
+  const double asked = *askedVertices(options, double(input_.vertices));
+  const std::size_t wanted =
+      std::max(limits.fewest, std::size_t(std::ceil(double(limits.kept) * asked)));
+  for (io::Part& part : parts)
+    if (isFine(part, asked, limits)) thinOut(part, wanted, parts.size() == 1);
+}
+
+void ThinnedParts::thinOut(io::Part& part, std::size_t wanted, bool isAlone) {
+  if (isAlone) samples_ = someOf(part.mesh.positions, part.mesh.indices);
+  given_ += part.mesh.positions.size();
+  // Parts may have borders in common.
+  const OpenBorders borders = isAlone ? OpenBorders::Shorten : OpenBorders::Keep;
+  part.mesh = thinnedOut(std::move(part.mesh), {wanted, borders});
+  left_ += part.mesh.positions.size();
+}
+
+RemeshOptions ThinnedParts::applied(RemeshOptions options) const {
+  if (!isThinned() || !options.ratio || options.vertices) return options;
+  options.vertices = Index(std::max(1LL, std::llround(*options.ratio * double(input_.vertices))));
+  options.ratio.reset();
+  return options;
+}
+
+FidelityReport ThinnedParts::measured(const SceneRun& run) const {
+  FidelityReport fidelity = run.report.fidelity.value_or(FidelityReport{});
+  if (samples_.empty() || !(input_.diagonal > 0)) return fidelity;
+  const TriangleMesh& made = run.parts.front().mesh;
+  const TriangleTree tree(made.positions, made.indices);
+  TriangleTree::Nearest last;
+  double largest = 0, sum = 0;
+  for (const Vec3& p : samples_) {
+    last = last.triangle == kNone ? tree.nearest(p) : tree.nearest(p, last.triangle);
+    largest = std::max(largest, last.squaredDistance);
+    sum += last.squaredDistance;
+  }
+  const auto& instances = run.parts.front().instances;
+  const double growth = instances.empty() ? 1 : growthOf(instances.front());
+  const double percent = 100 * growth / input_.diagonal;
+  fidelity.hausdorff = std::max(fidelity.hausdorff, percent * std::sqrt(largest));
+  fidelity.rms = std::max(fidelity.rms, percent * std::sqrt(sum / double(samples_.size())));
+  return fidelity;
+}
+
+void ThinnedParts::note(std::vector<SceneRun>& runs) const {
+  if (!isThinned()) return;
+  const auto describe = [&](Report& report, const FidelityReport& fidelity) {
+    report.input = input_;
+    if (report.fidelity) report.fidelity = fidelity;
+  };
+  std::vector<Report>& levels = runs.front().report.lods;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const FidelityReport fidelity = measured(runs[i]);
+    describe(runs[i].report, fidelity);
+    if (i > 0 && i <= levels.size()) describe(levels[i - 1], fidelity);
+  }
+  const std::string samples =
+      samples_.empty() ? "The distances are those from the thinned-out surface."
+                       : "The distances are those of " + std::to_string(samples_.size()) +
+                             " of its vertices and of the thinned-out surface.";
+  runs.front().report.warnings.push_back(
+      {"THINNED_OUT",
+       "The model is far finer than the result: it was thinned out first, from " +
+           std::to_string(given_) + " to " + std::to_string(left_) + " vertices. " + samples,
+       given_ - left_});
+}
+
+}  // namespace remesher

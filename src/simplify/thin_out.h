@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Thins out a mesh of millions of triangles in plain arrays, before anything larger is built of it:
+// about 100 bytes per vertex beside the mesh.
+#pragma once
+
+#include <cstddef>
+
+#include "base/triangle_mesh.h"
+
+namespace remesher {
+
+// Whether vertices of open borders may go along them.
+enum class OpenBorders : char { Shorten, Keep };
+
+struct ThinOut {
+  std::size_t vertices = 0;  // wanted; more are left where no more may go
+  OpenBorders borders = OpenBorders::Shorten;
+};
+
+// Vertices go into neighbours, which stay where they are, those first that change the shape least
+// [Garland & Heckbert 1997]: all that is left is the mesh's own, with its attributes. Open borders
+// and borders of groups are only shortened along themselves; vertices where they meet, at edges of
+// more than two triangles, and at places with several attributes stay. No triangle turns by 60° or
+// more at once, and the topology stays. Vertices equal in everything become one, and triangles
+// without three different vertices go. The mesh must be valid (see requireValid).
+TriangleMesh thinnedOut(TriangleMesh mesh, const ThinOut& wanted);
+
+}  // namespace remesher

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "simplify/thin_out.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "base/place.h"
+#include "measure/hausdorff.h"
+#include "measure/mesh_report.h"
+#include "support/shapes.h"
+
+using namespace remesher;
+
+namespace {
+
+// A wavy sheet of so many cells along a side, each vertex with its place as an attribute.
+TriangleMesh wavySheet(int cells) {
+  TriangleMesh mesh;
+  shapes::addSheet(mesh, cells, cells, [&](int i, int k) {
+    const double x = double(i) / cells, y = double(k) / cells;
+    return Vec3(x, y, 0.05 * std::sin(9 * x) * std::cos(7 * y));
+  });
+  Attribute places = {"_PLACE", 3, {}};
+  for (const Vec3& p : mesh.positions)
+    for (Eigen::Index axis = 0; axis < 3; ++axis) places.values.push_back(float(p[axis]));
+  mesh.attributes.push_back(places);
+  return mesh;
+}
+
+double lengthOfBorder(const TriangleMesh& mesh, double side) {
+  double length = 0;
+  for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+    const std::size_t next = i % 3 == 2 ? i - 2 : i + 1;
+    const Vec3& p = mesh.positions[mesh.indices[i]];
+    const Vec3& q = mesh.positions[mesh.indices[next]];
+    if (p.x() == side && q.x() == side) length += std::abs(p.y() - q.y());
+  }
+  return length;
+}
+
+}  // namespace
+
+TEST_CASE("thin out: every shape keeps its topology, and vertices their places") {
+  for (const shapes::Shape& shape : shapes::all()) {
+    CAPTURE(shape.name);
+    const MeshReport before = inspectMesh(shape.mesh);
+    const TriangleMesh thin = thinnedOut(shape.mesh, {before.vertices / 4});
+    const MeshReport after = inspectMesh(thin);
+    CHECK(after.vertices <= before.vertices);
+    CHECK(after.eulerCharacteristic == before.eulerCharacteristic);
+    CHECK(after.components == before.components);
+    CHECK(after.nonManifoldEdges == before.nonManifoldEdges);
+    CHECK(after.degenerateTriangles == 0);
+    std::vector<Vec3> both = shape.mesh.positions;
+    both.insert(both.end(), thin.positions.begin(), thin.positions.end());
+    CHECK(countPlaces(both) == countPlaces(shape.mesh.positions));
+  }
+}
+
+TEST_CASE("thin out: a fine sheet is as many vertices as wanted, and near") {
+  const TriangleMesh sheet = wavySheet(120);
+  const TriangleMesh thin = thinnedOut(sheet, {1500});
+  CHECK(thin.positions.size() == 1500);
+  CHECK(measureFidelity(sheet, thin).hausdorff < 0.1);
+  CHECK(lengthOfBorder(thin, 0) == doctest::Approx(1));
+  CHECK(inspectMesh(thin).boundaryEdges < 4 * 120);
+  for (std::size_t v = 0; v < thin.positions.size(); ++v)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      CHECK(thin.attributes[0].values[3 * v + axis] ==
+            float(thin.positions[v][Eigen::Index(axis)]));
+}
+
+TEST_CASE("thin out: borders that are to be kept stay") {
+  const TriangleMesh thin = thinnedOut(wavySheet(40), {500, OpenBorders::Keep});
+  CHECK(inspectMesh(thin).boundaryEdges == 4 * 40);
+  CHECK(thin.positions.size() == 500);
+}
+
+TEST_CASE("thin out: borders of groups stay where they are") {
+  TriangleMesh sheet = wavySheet(60);
+  for (std::size_t i = 0; i < sheet.indices.size(); i += 3)
+    sheet.groups.push_back(sheet.positions[sheet.indices[i]].x() < 0.5 ? 0 : 1);
+  const TriangleMesh thin = thinnedOut(sheet, {600});
+  REQUIRE(thin.groups.size() == thin.triangleCount());
+  for (std::size_t i = 0; i < thin.indices.size(); ++i) {
+    const double x = thin.positions[thin.indices[i]].x();
+    CHECK((thin.groups[i / 3] == 0 ? x <= 0.5 : x >= 0.5));
+  }
+  CHECK(thin.positions.size() == 600);
+}
+
+TEST_CASE("thin out: triangles with vertices of their own are one surface") {
+  const TriangleMesh sheet = wavySheet(40);
+  TriangleMesh loose;
+  for (const Index v : sheet.indices) {
+    loose.indices.push_back(Index(loose.positions.size()));
+    loose.positions.push_back(sheet.positions[v]);
+  }
+  const TriangleMesh thin = thinnedOut(loose, {400});
+  CHECK(thin.positions.size() == 400);
+  CHECK(inspectMesh(thin).components == 1);
+}
