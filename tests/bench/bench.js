@@ -6,6 +6,7 @@
 //   npm run bench -- fires --models FOLDER [FOLDER…]    how often each fallback fires
 //   npm run bench -- bake FOLDER [--markdown FILE]      textures: kept, baked, and meshoptimizer's
 //   npm run bench -- scale [--markdown FILE]                                   a large model
+//   npm run bench -- large [case…]     millions of triangles, beside meshoptimizer; takes minutes
 //   npm run bench -- parts [--models FOLDER] [case…]     machine parts, beside other programs
 //   npm run bench -- page --models FOLDER [--runs N]          how long visitors of the page wait
 //   npm run bench -- quads --models FOLDER [case…]                          quads, by one evaluator
@@ -22,6 +23,7 @@ import { runAblation } from './ablation.js';
 import { runBake } from './bake.js';
 import { runCases } from './cases.js';
 import { runFires } from './fires.js';
+import { runLarge } from './large.js';
 import { runPage } from './page.js';
 import { runParts } from './parts.js';
 import { runQuads } from './quads.js';
@@ -56,6 +58,7 @@ function run() {
     case 'table1': return runTable1(limits.table1, rest[0] ?? values.models);
     case 'bake': return runBake(limits.bake, rest[0] ?? values.models);
     case 'scale': return runScale(limits.scale);
+    case 'large': return runLarge(limits.large, rest);
     case 'page':
       return runPage(limits.page, { folder: values.models, runs: Number(values.runs) });
     case 'parts': return runParts(limits.parts, { folder: values.models, names: rest });
