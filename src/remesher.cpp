@@ -126,6 +126,7 @@ RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
   std::vector<SceneRun> runs = inFile(input.file.name, [&]() -> std::vector<SceneRun> {
     model.parts = joinedPlaces(std::move(model.parts), options);
     if (options.quads) model.parts = cutAlongShorter(std::move(model.parts));
+    whole.phase("inspect", kReadShare, kReadShare);
     const ThinnedParts thinned(model.parts, options);
     std::vector<io::Part> given;
     if (options.repair != Repair::Off && !input.pictures.empty()) given = model.parts;

@@ -19,7 +19,7 @@ namespace {
 constexpr double kSidewaysWeight = 5e-6, kBorderWeight = 2, kLeastTurn = 0.5;
 // A pass lets go this part of the vertices at most, the cheapest; the next one knows their new
 // costs. Passes end when one lets go less than its least part.
-constexpr std::size_t kPassPart = 3, kLeastPart = 200;
+constexpr std::size_t kPassPart = 2, kLeastPart = 200;
 // Below this share of the longest edge's square, twice the area of a triangle may not shrink.
 constexpr double kThin = 0.05;
 
@@ -274,10 +274,9 @@ class ThinningOut {
     int shared = 0;
     bool isAllowed = true;
     forEachAt(v, [&](Index b, Index c, Index) {
-      if (b == u || c == u)
-        ++shared;
-      else
-        isAllowed = isAllowed && !turnsTooFar({v, b, c}, u);
+      const bool isShared = b == u || c == u;
+      shared += isShared ? 1 : 0;
+      isAllowed = isAllowed && (isShared ? !isTip(b == u ? c : b) : !turnsTooFar({v, b, c}, u));
     });
     if (!isAllowed || shared == 0) return false;
     others_.clear();
@@ -287,6 +286,14 @@ class ThinningOut {
       isAllowed = isAllowed && !hasTriangle(v, b, c);
     });
     return isAllowed && commonNeighbors(v, u) == shared;
+  }
+
+  // Whether both edges of the ring's vertex in a triangle are borders, of which that to w would
+  // come to lie on the third edge.
+  bool isTip(Index w) const {
+    return isOnBorder_ && std::any_of(ring_.begin(), ring_.end(), [&](const RingEdge& edge) {
+             return edge.isBorder && edge.neighbor == w;
+           });
   }
 
   bool hasTriangle(Index v, Index x, Index y) const {
