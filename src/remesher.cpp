@@ -116,6 +116,8 @@ RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
   const Progress whole = progress.timedBy(clock);
   whole.phase("read", 0, kReadShare);
   io::Model model = readFor(outputName, input, asked);
+  input.file.bytes = {};
+  input.resources = {};
   const RemeshOptions options = withPercents(asked, model.parts);
   model.isExact = options.repair != Repair::Off;
   if (options.unite)

@@ -15,9 +15,8 @@ constexpr ThinningLimits kSmall = {2000, 30, 16, 500};
 
 std::vector<io::Part> fineSheet() {
   TriangleMesh mesh;
-  shapes::addSheet(mesh, 50, 50, [](int i, int k) {
-    return Vec3(i, k, 4 * shapes::onCircle(i, 50).x());
-  });
+  shapes::addSheet(mesh, 50, 50,
+                   [](int i, int k) { return Vec3(i, k, 4 * shapes::onCircle(i, 50).x()); });
   return {io::Part{"", mesh, {Transform::Identity()}}};
 }
 
