@@ -116,6 +116,8 @@ RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
   const Progress whole = progress.timedBy(clock);
   whole.phase("read", 0, kReadShare);
   io::Model model = readFor(outputName, input, asked);
+  input.file.bytes = {};
+  input.resources = {};
   const RemeshOptions options = withPercents(asked, model.parts);
   model.isExact = options.repair != Repair::Off;
   if (options.unite)
@@ -126,6 +128,7 @@ RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
   std::vector<SceneRun> runs = inFile(input.file.name, [&]() -> std::vector<SceneRun> {
     model.parts = joinedPlaces(std::move(model.parts), options);
     if (options.quads) model.parts = cutAlongShorter(std::move(model.parts));
+    whole.phase("inspect", kReadShare, kReadShare);
     const ThinnedParts thinned(model.parts, options);
     std::vector<io::Part> given;
     if (options.repair != Repair::Off && !input.pictures.empty()) given = model.parts;

@@ -71,6 +71,7 @@ add_executable(unit_tests
   tests/unit/jobs/parts/part_unions_test.cpp
   tests/unit/jobs/parts/quad_diagonals_test.cpp
   tests/unit/jobs/pixel_levels_test.cpp
+  tests/unit/jobs/thinned_parts_test.cpp
   tests/unit/main.cpp
   tests/unit/measure/edge_report_test.cpp
   tests/unit/measure/hausdorff_test.cpp

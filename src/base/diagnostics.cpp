@@ -75,6 +75,7 @@ constexpr std::array kDiagnostics = {
     Diagnostic{"TEXCOORDS_REPLACED", Severity::Note},
     Diagnostic{"TEXELS_NOT_FOUND", Severity::Loss},
     Diagnostic{"TEXTURES_PAINTED", Severity::Note},
+    Diagnostic{"THINNED_OUT", Severity::Note},
     Diagnostic{"TOO_FEW_FACES", Severity::Loss},
     Diagnostic{"TOO_FEW_VERTICES", Severity::Loss},
     Diagnostic{"TRIANGLES_NOT_JOINED", Severity::Note},

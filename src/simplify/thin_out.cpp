@@ -19,7 +19,7 @@ namespace {
 constexpr double kSidewaysWeight = 5e-6, kBorderWeight = 2, kLeastTurn = 0.5;
 // A pass lets go this part of the vertices at most, the cheapest; the next one knows their new
 // costs. Passes end when one lets go less than its least part.
-constexpr std::size_t kPassPart = 3, kLeastPart = 200;
+constexpr std::size_t kPassPart = 2, kLeastPart = 200;
 // Below this share of the longest edge's square, twice the area of a triangle may not shrink.
 constexpr double kThin = 0.05;
 
@@ -245,22 +245,25 @@ class ThinningOut {
   }
 
   void pass(std::size_t wanted) {
-    std::vector<Going> goings(mesh_.positions.size());
-    std::vector<Index> order;
-    for (Index v = 0; v < goings.size(); ++v) {
-      goings[v] = cheapest(v);
-      if (goings[v].into != kNone) order.push_back(v);
+    goings_.resize(mesh_.positions.size());
+    order_.clear();
+    order_.reserve(count_);
+    for (Index v = 0; v < goings_.size(); ++v) {
+      goings_[v] = cheapest(v);
+      if (goings_[v].into != kNone) order_.push_back(v);
     }
     const auto isCheaper = [&](Index v, Index w) {
-      return goings[v].cost != goings[w].cost ? goings[v].cost < goings[w].cost : v < w;
+      const float cost = goings_[v].cost, other = goings_[w].cost;
+      return cost != other ? cost < other : v < w;
     };
-    const std::size_t most = std::min(order.size(), std::max<std::size_t>(count_ / kPassPart, 1));
-    std::nth_element(order.begin(), order.begin() + std::ptrdiff_t(most), order.end(), isCheaper);
-    order.resize(most);
-    std::sort(order.begin(), order.end(), isCheaper);
-    for (const Index v : order) {
+    const std::size_t most = std::min(order_.size(), std::max<std::size_t>(count_ / kPassPart, 1));
+    const auto end = order_.begin() + std::ptrdiff_t(most);
+    std::nth_element(order_.begin(), end, order_.end(), isCheaper);
+    std::sort(order_.begin(), end, isCheaper);
+    order_.resize(most);
+    for (const Index v : order_) {
       if (count_ <= wanted) break;
-      const Index u = goings[v].into;
+      const Index u = goings_[v].into;
       if (isTouched_[v] || isTouched_[u] || !mayGo(v, u)) continue;
       go(v, u);
     }
@@ -274,10 +277,9 @@ class ThinningOut {
     int shared = 0;
     bool isAllowed = true;
     forEachAt(v, [&](Index b, Index c, Index) {
-      if (b == u || c == u)
-        ++shared;
-      else
-        isAllowed = isAllowed && !turnsTooFar({v, b, c}, u);
+      const bool isShared = b == u || c == u;
+      shared += isShared ? 1 : 0;
+      isAllowed = isAllowed && (isShared ? !isTip(b == u ? c : b) : !turnsTooFar({v, b, c}, u));
     });
     if (!isAllowed || shared == 0) return false;
     others_.clear();
@@ -289,11 +291,18 @@ class ThinningOut {
     return isAllowed && commonNeighbors(v, u) == shared;
   }
 
+  // Whether both edges of the ring's vertex in a triangle are borders, of which that to w would
+  // come to lie on the third edge.
+  bool isTip(Index w) const {
+    return isOnBorder_ && std::any_of(ring_.begin(), ring_.end(), [&](const RingEdge& edge) {
+             return edge.isBorder && edge.neighbor == w;
+           });
+  }
+
   bool hasTriangle(Index v, Index x, Index y) const {
     bool result = false;
-    forEachAt(v, [&](Index b, Index c, Index) {
-      result |= (b == x && c == y) || (b == y && c == x);
-    });
+    forEachAt(v,
+              [&](Index b, Index c, Index) { result |= (b == x && c == y) || (b == y && c == x); });
     return result;
   }
 
@@ -313,8 +322,8 @@ class ThinningOut {
     const Vec3 b = way(t[0], t[1]), c = way(t[0], t[2]), place = way(t[0], u);
     const Vec3 before = b.cross(c), after = (b - place).cross(c - place);
     const double size = after.norm();
-    const double longest = std::max(
-        {(b - place).squaredNorm(), (c - place).squaredNorm(), (c - b).squaredNorm()});
+    const double longest =
+        std::max({(b - place).squaredNorm(), (c - place).squaredNorm(), (c - b).squaredNorm()});
     if (size < kThin * longest && size < before.norm()) return true;
     return !(before.dot(after) > kLeastTurn * before.norm() * size) && !before.isZero();
   }
@@ -342,6 +351,8 @@ class ThinningOut {
   std::vector<char> isTouched_;
   std::vector<Index> begins_, triangles_;
   std::vector<LocalQuadric> quadrics_;
+  std::vector<Going> goings_;  // per vertex
+  std::vector<Index> order_;   // the cheapest vertices
   std::vector<RingEdge> ring_;
   std::vector<Index> others_;
   bool isOnBorder_ = false;  // of the last ring gathered

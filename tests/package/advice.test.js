@@ -246,7 +246,7 @@ const others = ['INTERNAL', 'CANCELLED',
     'QUADS_SYMMETRY_LOST', 'SCRAPS_REMOVED',
     'SEEN_PARTS_LOST', 'SELF_INTERSECTIONS_MADE', 'SHAPE_LOST_TO_ROUNDING', 'SHEETS_DROPPED',
     'SHEETS_LEFT', 'SHEETS_THICKENED', 'SPIKES_LEFT_COARSE', 'SURFACE_OPENED',
-    'TEXTURES_PAINTED', 'TOO_FEW_VERTICES', 'VERTICES_COINCIDE']];
+    'TEXTURES_PAINTED', 'THINNED_OUT', 'TOO_FEW_VERTICES', 'VERTICES_COINCIDE']];
 
 test('what a message of each code advises is followed here, or it advises nothing', () => {
   const core = filesUnder('src', /\.cpp$/).map(readText).join('\n');

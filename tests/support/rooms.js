@@ -59,8 +59,8 @@ export const coreRooms = {
   'jobs/parts': ['base', 'mesh', 'geometry', 'remesh/schemes', 'measure', 'io/model'],
   'jobs/checks': ['base', 'mesh', 'geometry', 'remesh/schemes', 'measure', 'io/model',
     'jobs/parts'],
-  jobs: ['base', 'mesh', 'geometry', 'simplify', 'remesh/schemes', 'measure', 'repair', 'io/model', 'io',
-    'textures', 'jobs/parts', 'jobs/checks'],
+  jobs: ['base', 'mesh', 'geometry', 'simplify', 'remesh/schemes', 'measure', 'repair', 'io/model',
+    'io', 'textures', 'jobs/parts', 'jobs/checks'],
   '': ['base', 'mesh', 'remesh/quads', 'remesh/schemes', 'measure', 'io/model', 'io', 'jobs/parts',
     'jobs/checks', 'jobs'],
 };

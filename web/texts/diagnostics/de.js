@@ -131,6 +131,8 @@ export default {
   'warning.SPIKES_LEFT_COARSE': 'Punkte, die weit herausragen, hängen an Nadeln; diese bekommen '
     + 'wenige Punkte.',
   'warning.SURFACE_OPENED': 'Das Ergebnis hat offene Kanten, obwohl das Original geschlossen war.',
+  'warning.THINNED_OUT': 'Das Modell ist viel feiner als das Ergebnis: Es wurde zuerst '
+    + 'ausgedünnt. Die Abstände sind an Punkten des Originals gemessen.',
   'warning.TOO_FEW_VERTICES': 'So wenige Punkte reichen für eine Fläche aus so vielen Stücken oder '
     + 'mit so vielen Henkeln, Löchern oder Kurven nicht: es sind mehr geworden.',
   'warning.TRIANGLES_NOT_JOINED': 'Kein Dreieck teilt eine Kante mit einem anderen: jedes ist eine '

@@ -130,6 +130,8 @@ export default {
   'warning.SPIKES_LEFT_COARSE': 'Des points qui dépassent de loin tiennent par des aiguilles ; '
     + 'celles-ci reçoivent peu de points.',
   'warning.SURFACE_OPENED': 'Le résultat a des arêtes ouvertes, alors que l’original était fermé.',
+  'warning.THINNED_OUT': 'Le modèle est bien plus fin que le résultat : il a d’abord été '
+    + 'éclairci. Les distances sont mesurées en des sommets de l’original.',
   'warning.TOO_FEW_VERTICES': 'Si peu de sommets ne suffisent pas à une surface de tant de '
     + 'morceaux, d’anses, de trous ou de courbes : il y en a davantage.',
   'warning.TRIANGLES_NOT_JOINED': 'Aucun triangle ne partage une arête avec un autre : chacun est '
