@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "geometry/triangle.h"
 #include "geometry/triangle_tree.h"
 #include "jobs/parts/part_lengths.h"
 #include "jobs/parts/part_places.h"
@@ -48,9 +49,27 @@ bool isFine(const io::Part& part, double asked, const ThinningLimits& limits) {
   return triangles > double(limits.triangles) && triangles > double(limits.perVertex) * asked;
 }
 
-std::vector<Vec3> someOf(const std::vector<Vec3>& positions, const std::vector<Index>& indices) {
+// Calls visit(first corner) for each triangle, with whether it has three different places.
+template <class Visit>
+void forEachTriangle(const TriangleMesh& mesh, Visit visit) {
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    const Index* const t = &mesh.indices[i];
+    visit(i, !hasTwins(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]));
+  }
+}
+
+std::size_t countWithoutPlaces(const TriangleMesh& mesh) {
+  std::size_t count = 0;
+  forEachTriangle(mesh, [&](std::size_t, bool hasThree) { count += hasThree ? 0 : 1; });
+  return count;
+}
+
+std::vector<Vec3> someOf(const TriangleMesh& mesh) {
+  const std::vector<Vec3>& positions = mesh.positions;
   std::vector<char> isUsed(positions.size(), 0);
-  for (const Index v : indices) isUsed[v] = 1;
+  forEachTriangle(mesh, [&](std::size_t first, bool hasThree) {
+    for (std::size_t k = 0; hasThree && k < 3; ++k) isUsed[mesh.indices[first + k]] = 1;
+  });
   const std::size_t step = (positions.size() + kMostSamples - 1) / kMostSamples;
   std::vector<Vec3> some;
   for (std::size_t v = 0; v < positions.size(); v += step)
@@ -81,11 +100,13 @@ ThinnedParts::ThinnedParts(std::vector<io::Part>& parts, const RemeshOptions& op
 }
 
 void ThinnedParts::thinOut(io::Part& part, std::size_t wanted, bool isAlone) {
-  if (isAlone) samples_ = someOf(part.mesh.positions, part.mesh.indices);
+  if (isAlone) samples_ = someOf(part.mesh);
   given_ += part.mesh.positions.size();
   // Parts may have borders in common.
   const OpenBorders borders = isAlone ? OpenBorders::Shorten : OpenBorders::Keep;
+  removed_ += countWithoutPlaces(part.mesh);
   part.mesh = thinnedOut(std::move(part.mesh), {wanted, borders});
+  removed_ -= countWithoutPlaces(part.mesh);
   left_ += part.mesh.positions.size();
 }
 
@@ -128,15 +149,20 @@ void ThinnedParts::note(std::vector<SceneRun>& runs) const {
     describe(runs[i].report, fidelity);
     if (i > 0 && i <= levels.size()) describe(levels[i - 1], fidelity);
   }
+  std::vector<Warning>& warnings = runs.front().report.warnings;
+  if (removed_ > 0)
+    warnings = joined(std::move(warnings),
+                      {{"DEGENERATE_TRIANGLES_REMOVED",
+                        "Triangles without three distinct corners were removed.", removed_}});
   const std::string samples =
       samples_.empty() ? "The distances are those from the thinned-out surface."
                        : "The distances are those of " + std::to_string(samples_.size()) +
                              " of its vertices and of the thinned-out surface.";
-  runs.front().report.warnings.push_back(
-      {"THINNED_OUT",
-       "The model is far finer than the result: it was thinned out first, from " +
-           std::to_string(given_) + " to " + std::to_string(left_) + " vertices. " + samples,
-       given_ - left_});
+  warnings.push_back({"THINNED_OUT",
+                      "The model is far finer than the result: it was thinned out first, from " +
+                          std::to_string(given_) + " to " + std::to_string(left_) + " vertices. " +
+                          samples,
+                      given_ - left_});
 }
 
 }  // namespace remesher

@@ -42,6 +42,7 @@ class ThinnedParts {
 
   MeshReport input_;
   std::size_t given_ = 0, left_ = 0;  // vertices of the parts that were thinned out
+  std::size_t removed_ = 0;           // triangles without three places
   std::vector<Vec3> samples_;         // vertices of the only part
 };
 

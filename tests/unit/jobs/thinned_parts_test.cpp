@@ -49,6 +49,20 @@ TEST_CASE("thinned parts: the report describes what was given, and says so") {
   CHECK(report.warnings.back().count == 51 * 51 - 960);
 }
 
+TEST_CASE("thinned parts: vertices of no true triangle are not measured") {
+  std::vector<io::Part> parts = fineSheet();
+  TriangleMesh& mesh = parts.front().mesh;
+  const Index far = shapes::addVertex(mesh, Vec3(25, 25, 1000));
+  shapes::addTriangle(mesh, far, far, far);
+  const ThinnedParts thinned(parts, vertices(60), kSmall);
+  std::vector<SceneRun> runs = remeshLevels(parts, Held::Apart, vertices(60), Progress());
+  thinned.note(runs);
+  CHECK(runs.front().report.fidelity->hausdorff < 10);
+  const std::vector<Warning>& warnings = runs.front().report.warnings;
+  REQUIRE(warnings.size() >= 2);
+  CHECK(warnings[warnings.size() - 2].code == "DEGENERATE_TRIANGLES_REMOVED");
+}
+
 TEST_CASE("thinned parts: a ratio is one of the given vertices") {
   std::vector<io::Part> parts = fineSheet();
   RemeshOptions options;
