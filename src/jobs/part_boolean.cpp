@@ -27,7 +27,7 @@ class Scaled {
  public:
   explicit Scaled(const OperandPair& pair)
       : joint_{"", joinedOperands(pair.parts[0].mesh, pair.parts[1].mesh), {Transform::Identity()}},
-        scale_({joint_}) {}
+        scale_({joint_}, FrameRounding::None) {}
 
   io::Part applied(const io::Part& part) const {
     return scale_.isNeeded() ? scale_.applied({part}).front() : part;

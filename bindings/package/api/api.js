@@ -32,7 +32,7 @@ import { bakeNames, checkOptions, checkOwn, checkRepair, unwrapNames } from '../
  *   decoded and encoded by what the bundler has put beside the worker.
  */
 
-/** @typedef {import('../base/options.js').RepairName} RepairName */
+/** @typedef {import('../base/option_lists.js').RepairName} RepairName */
 /** @typedef {Pick<RemeshOptions, RepairName>} RepairOptions */
 
 /**
@@ -92,7 +92,7 @@ import { bakeNames, checkOptions, checkOwn, checkRepair, unwrapNames } from '../
  *   BooleanFilesResult
  */
 
-/** @typedef {import('../base/options.js').BakeName} BakeName */
+/** @typedef {import('../base/option_lists.js').BakeName} BakeName */
 /** @typedef {Pick<RemeshOptions, BakeName>} BakeOptions */
 /** @typedef {Pick<RemeshOptions, 'textureSize'>} UnwrapOptions */
 

@@ -7,11 +7,13 @@
 
 import { RemeshError } from './errors.js';
 import { legible } from './legible.js';
+import { repairNames } from './option_lists.js';
 import { lengthFrom, pixelsFrom, takesLength, units } from './lengths.js';
 import { OptionRules } from './option_rules.js';
 import { presets, withPreset } from './presets.js';
 
 export { presets } from './presets.js';
+export { bakeNames, repairNames, targetNames, unwrapNames } from './option_lists.js';
 
 /** @typedef {import('./presets.js').Preset} Preset */
 /** @typedef {import('./remesh_options.js').RemeshOptions} RemeshOptions */
@@ -391,19 +393,6 @@ const nameOf = ({ name }) => name;
 /** Which options go together. */
 export const optionRules = new OptionRules(optionTable);
 
-/** The names of the options that set the size of the result, of which one is given at most. */
-export const targetNames = /** @type {const} */ ([
-  'vertices', 'faces', 'ratio', 'edgeLength',
-]);
-
-/** The names of the options for repair. */
-export const repairNames =
-  /** @type {const} */ (['repair', 'holesUpTo', 'gap', 'cavities', 'sheets', 'keepRims',
-    'thickness', 'base', 'unite', 'dropBelow', 'dropHidden', 'textures', 'textureSize',
-    'textureFormat', 'weld', 'units', 'compress']);
-
-/** @typedef {typeof repairNames[number]} RepairName */
-
 /**
  * The options of a repair, checked as checkOptions does; no others belong there.
  * @param {object} given
@@ -421,16 +410,6 @@ export function checkRepair(given, others) {
   }
   return checked;
 }
-
-/** The names of the options for baking onto a mesh. */
-export const bakeNames = /** @type {const} */ ([
-  'textureSize', 'textureFormat', 'cage', 'ao']);
-
-/** @typedef {typeof bakeNames[number]} BakeName */
-
-/** The names of the options for unwrapping. */
-export const unwrapNames = /** @type {const} */ ([
-  'textureSize']);
 
 /**
  * The options of a function that takes a few of the table, checked one by one.

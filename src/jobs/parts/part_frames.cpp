@@ -118,9 +118,10 @@ Transform hereFrom(const Frame& frame) {
 
 }  // namespace
 
-PartFrames::PartFrames(const std::vector<io::Part>& parts) {
+PartFrames::PartFrames(const std::vector<io::Part>& parts, FrameRounding rounding) {
   const bool isWorld = areInWorld(parts);
   if (isWorld || parts.size() == 1) common_ = commonFrame(parts);
+  if (common_ && !common_->isInSteps && rounding == FrameRounding::None) common_.reset();
   if (common_ && !common_->isInSteps) noteRounded(parts);
   HalfBox world;
   bool isWorldMoved = false;

@@ -18,9 +18,14 @@
 
 namespace remesher {
 
+// Whether coordinates may be rounded on the way into the frame, and come back by a table, or
+// frames are only those that hold each coordinate exactly.
+enum class FrameRounding : char { Allowed, None };
+
 class PartFrames {
  public:
-  explicit PartFrames(const std::vector<io::Part>& parts);
+  explicit PartFrames(const std::vector<io::Part>& parts,
+                      FrameRounding rounding = FrameRounding::Allowed);
 
   // Whether applying changes anything.
   bool isNeeded() const;
