@@ -19,6 +19,12 @@ void unifyPlaces(std::vector<Vec3>& positions) {
   for (Index v = 0; v < first.size(); ++v) positions[v] = positions[first[v]];
 }
 
+// Where it is too large for single precision it stays: the writer refuses it, and says why.
+Vec3 roundedToSingle(const Vec3& p) {
+  const Vec3 single = p.cast<float>().cast<double>();
+  return single.allFinite() ? single : p;
+}
+
 }  // namespace
 
 RoundedMesh inPrecisionOf(const TriangleMesh& original, TriangleMesh result) {
@@ -29,7 +35,7 @@ RoundedMesh inPrecisionOf(const TriangleMesh& original, TriangleMesh result) {
     if (std::optional<std::vector<Vec3>> whole = inWholeSteps(result, *original.steps))
       result.positions = std::move(*whole);
   if (original.isSingle)
-    for (Vec3& p : result.positions) p = p.cast<float>().cast<double>();
+    for (Vec3& p : result.positions) p = roundedToSingle(p);
   result.isSingle = original.isSingle;
   result.steps = original.steps;
   joinNoise(result);

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/place.h"
 #include "geometry/triangle.h"
 #include "geometry/triangle_tree.h"
 
@@ -86,6 +87,16 @@ bool areInWorld(const std::vector<io::Part>& parts) {
 double asSingle(double x, double rounding) {
   const double single = static_cast<float>(x);
   return std::abs(single - x) <= rounding ? single : x;
+}
+
+// Vertices at one place but for noise around zero get one position: away from zero nothing tells
+// noise from shape.
+void unifyNoise(std::vector<Vec3>& positions) {
+  if (std::all_of(positions.begin(), positions.end(),
+                  [](const Vec3& p) { return canonicalPlace(p) == p || !p.allFinite(); }))
+    return;
+  const std::vector<Index> first = weld(positions);
+  for (std::size_t v = 0; v < positions.size(); ++v) positions[v] = positions[first[v]];
 }
 
 // The way from the frame to written places.
@@ -188,6 +199,7 @@ Transform PartFrames::placed(Transform place, std::size_t part) const {
 
 std::vector<io::Part> PartFrames::applied(std::vector<io::Part> parts) const {
   for (std::size_t i = 0; i < parts.size(); ++i) {
+    unifyNoise(parts[i].mesh.positions);
     for (Vec3& p : parts[i].mesh.positions)
       p = ((common_ ? common_->here(p) : p) - origins_[i]) * local_[i];
     parts[i].mesh.frame = frameOf(i);
