@@ -5,8 +5,8 @@
 #pragma once
 
 #include "geometry/triangle_tree.h"
-#include "textures/painting/paint_source.h"
 #include "textures/painting/paint_finder.h"
+#include "textures/painting/paint_source.h"
 #include "textures/painting/place_search.h"
 
 namespace remesher {

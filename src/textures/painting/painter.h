@@ -10,8 +10,8 @@
 
 #include "base/progress.h"
 #include "textures/painting/canvas.h"
-#include "textures/painting/paint_source.h"
 #include "textures/painting/paint_finder.h"
+#include "textures/painting/paint_source.h"
 
 namespace remesher {
 

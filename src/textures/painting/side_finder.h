@@ -11,8 +11,8 @@
 #include <optional>
 #include <vector>
 
-#include "textures/painting/paint_source.h"
 #include "textures/painting/paint_finder.h"
+#include "textures/painting/paint_source.h"
 
 namespace remesher {
 
