@@ -74,7 +74,7 @@ struct RepairedParts {
 RepairedParts repairOnly(std::vector<io::Part>& parts, Held held, const RemeshOptions& options,
                          const Progress& progress);
 
-// Sets textures to be painted anew if the options leave it open and repair has made another surface
+// Sets textures to be baked if the options leave it open and repair has made another surface
 // (more than closed holes), because charts may end anywhere on it. Adds a warning to the model.
 RemeshOptions withPaint(RemeshOptions options, io::Model& model);
 

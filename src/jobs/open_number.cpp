@@ -25,10 +25,13 @@ constexpr double kMostTried = 10'000;
 // The ratio between a number that suffices and one that does not, at which the search ends.
 constexpr double kNearNumber = 1.2;
 
+bool hasEvenAngles(const TriangleMesh& mesh) {
+  return inspectMesh(mesh).minAngle.mean >= kIsotropicAngle;
+}
+
 // Whether the triangles are isotropic, and nowhere seen to be away.
 bool isIsotropic(const TriangleMesh& input, const RemeshOutcome& made) {
-  if (made.stopped != Stopped::Target || inspectMesh(made.mesh).minAngle.mean < kIsotropicAngle)
-    return false;
+  if (made.stopped != Stopped::Target || !hasEvenAngles(made.mesh)) return false;
   const DeviationBothWays found = measureDeviation(input, made.mesh, Maximum::Sampled);
   return std::max(found.toResult.maximum, found.toOriginal.maximum) <= kSeen * found.diagonal;
 }
@@ -60,7 +63,7 @@ class OpenNumber {
 
   RemeshOutcome run() {
     RemeshOutcome own = remeshSurface(input_, welding_, asked_, progress_);
-    if (own.prefer == Prefer::Even || isIsotropic(input_, own)) return own;
+    if (own.prefer == Prefer::Even || hasEvenAngles(input_) || isIsotropic(input_, own)) return own;
     const auto places = double(own.vertices);
     double enough = fewestDrafted(places);
     for (double next = enough; next > 0 && next <= kMostTaken * places; next *= kNearNumber) {

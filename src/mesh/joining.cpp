@@ -147,6 +147,13 @@ void joinNoise(TriangleMesh& mesh) {
     if (differs[first[v]] && !isTorn[first[v]]) mesh.positions[v] = plain[first[v]];
 }
 
+void unifyPlaces(std::vector<Vec3>& positions) {
+  const auto isPlain = [](const Vec3& p) { return canonicalPlace(p) == p; };
+  if (std::all_of(positions.begin(), positions.end(), isPlain)) return;
+  const std::vector<Index> first = weld(positions);
+  for (Index v = 0; v < first.size(); ++v) positions[v] = positions[first[v]];
+}
+
 void joinNear(TriangleMesh& mesh, double distance) {
   std::vector<char> isCorner(mesh.positions.size(), 0);
   for (const Index v : mesh.indices) isCorner[v] = 1;

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "base/triangle_mesh.h"
 
@@ -17,6 +18,9 @@ double noiseBeside(double size, const TriangleMesh& mesh);
 // Sets coordinates to zero that are rounding beside the model's size, so that vertices come to one
 // place; not where a triangle would lose a corner.
 void joinNoise(TriangleMesh& mesh);
+
+// Gives vertices at one place but for noise (see base/place.h) the coordinates of the first.
+void unifyPlaces(std::vector<Vec3>& positions);
 
 // Moves vertices no farther apart than this to the place of the first.
 void joinNear(TriangleMesh& mesh, double distance);

@@ -417,7 +417,7 @@ std::vector<Warning> unpaintedMaps(const std::vector<io::Part>& parts) {
   std::vector<Warning> warnings;
   for (const auto& [name, count] : counts)
     warnings.push_back({"MAP_NOT_PAINTED",
-                        "The map " + legible(name) + " cannot be painted anew and is lost.",
+                        "The map " + legible(name) + " cannot be baked and is lost.",
                         count});
   return warnings;
 }

@@ -178,7 +178,7 @@ test('the number of a purpose is what it was set to, in the visitor’s unit', (
   assert.deepEqual(scaleOf('in', 40), { name: 'in', size: 1 });
 });
 
-test('a model too coarse for even triangles opens with what they need, in one step', async () => {
+test('a model too coarse for isotropic triangles opens with what they need, in one step', async () => {
   await page.locator('button', { hasText: 'Back to the defaults' }).dispatchEvent('click');
   await page.selectOption('.target select', 'vertices');
   await drop(page, { 'plate.off': offText(plate()) });
@@ -186,7 +186,7 @@ test('a model too coarse for even triangles opens with what they need, in one st
   const enough = (await result()).replace(',', '');
   assert.ok(Number(enough) > 392 && Number(enough) <= 4 * 392, enough);
   assert.match(await page.textContent('#target-hint'),
-    /^Exactly: [\d.]+ times the original’s 392, for even triangles need them/);
+    /^Exactly: [\d.]+ times the original’s 392, for isotropic triangles need them/);
   assert.equal(await page.isDisabled('#undo'), true);
   assert.equal(await page.locator('.history-entry').count(), 0);
   assert.match(await page.evaluate(() => location.hash), new RegExp(`vertices=${enough}`));
@@ -196,7 +196,7 @@ test('a model too coarse for even triangles opens with what they need, in one st
   assert.match(await page.textContent('#target-hint'), /as many as the original has/);
   await page.click('#undo');
   await best(Number(enough).toLocaleString('en'));
-  assert.match(await page.textContent('#target-hint'), /for even triangles need them/);
+  assert.match(await page.textContent('#target-hint'), /for isotropic triangles need them/);
 });
 
 test('where shape was lost is said, and shown', async () => {

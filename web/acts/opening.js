@@ -66,7 +66,7 @@ function setForm({ panel, session }, wished) {
 }
 
 /** Remeshes by the form. Where that asks for the model's own number of vertices, and these are too
- * few for even triangles, as many as these need are tried, unless the address names a number.
+ * few for isotropic triangles, as many as these need are tried, unless the address names a number.
  * @param {Page} page @param {{ wished: Values, onForm: () => void }} opening */
 async function remeshAtFirst(page, { wished, onForm }) {
   await remesh(page);

@@ -354,7 +354,7 @@ export class Panel {
     this.setValues(Object.fromEntries(others));
   }
 
-  /** Asks for the vertices that even triangles need, and says so. @param {number} vertices */
+  /** Asks for the vertices that isotropic triangles need, and says so. @param {number} vertices */
   setEnough(vertices) {
     this.#target.setEnough(vertices);
   }

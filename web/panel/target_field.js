@@ -151,7 +151,7 @@ export class TargetField {
     this.#show();
   }
 
-  /** More than the input's number, which even triangles need where the input's own are long.
+  /** More than the input's number, which isotropic triangles need where the input's own are long.
    * @param {number} vertices */
   setEnough(vertices) {
     this.#enough = vertices;

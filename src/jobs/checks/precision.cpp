@@ -12,13 +12,6 @@ namespace remesher {
 
 namespace {
 
-// What counts as one place (see base/place.h) has the same coordinates, so that every reader finds
-// the vertices joined.
-void unifyPlaces(std::vector<Vec3>& positions) {
-  const std::vector<Index> first = weld(positions);
-  for (Index v = 0; v < first.size(); ++v) positions[v] = positions[first[v]];
-}
-
 // Where it is too large for single precision it stays: the writer refuses it, and says why.
 Vec3 roundedToSingle(const Vec3& p) {
   const Vec3 single = p.cast<float>().cast<double>();
@@ -39,7 +32,7 @@ RoundedMesh inPrecisionOf(const TriangleMesh& original, TriangleMesh result) {
   result.isSingle = original.isSingle;
   result.steps = original.steps;
   joinNoise(result);
-  unifyPlaces(result.positions);
+  unifyPlaces(result.positions);  // so that every reader finds the vertices joined
   const std::size_t left = countPlaces(result.positions);
   for (Vec3& p : result.positions) p = frame.here(p);
   result.frame = frame;

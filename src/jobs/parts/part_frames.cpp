@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "base/place.h"
 #include "geometry/triangle.h"
 #include "geometry/triangle_tree.h"
+#include "mesh/joining.h"
 
 namespace remesher {
 namespace {
@@ -87,16 +87,6 @@ bool areInWorld(const std::vector<io::Part>& parts) {
 double asSingle(double x, double rounding) {
   const double single = static_cast<float>(x);
   return std::abs(single - x) <= rounding ? single : x;
-}
-
-// Vertices at one place but for noise around zero get one position: away from zero nothing tells
-// noise from shape.
-void unifyNoise(std::vector<Vec3>& positions) {
-  if (std::all_of(positions.begin(), positions.end(),
-                  [](const Vec3& p) { return canonicalPlace(p) == p || !p.allFinite(); }))
-    return;
-  const std::vector<Index> first = weld(positions);
-  for (std::size_t v = 0; v < positions.size(); ++v) positions[v] = positions[first[v]];
 }
 
 // The way from the frame to written places.
@@ -199,7 +189,7 @@ Transform PartFrames::placed(Transform place, std::size_t part) const {
 
 std::vector<io::Part> PartFrames::applied(std::vector<io::Part> parts) const {
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    unifyNoise(parts[i].mesh.positions);
+    unifyPlaces(parts[i].mesh.positions);  // away from zero nothing tells noise from shape
     for (Vec3& p : parts[i].mesh.positions)
       p = ((common_ ? common_->here(p) : p) - origins_[i]) * local_[i];
     parts[i].mesh.frame = frameOf(i);

@@ -65,6 +65,16 @@ RemeshOptions to150() {
 
 }  // namespace
 
+TEST_CASE("inspected_parts: a vertex that noise moves off its twin at zero stays its twin") {
+  TriangleMesh sheet;
+  sheet.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0},       {0, 1, 0},
+                     {2, 0, 0}, {2, 1, 0}, {1, -2.4e-16, 0}};
+  sheet.indices = {0, 1, 2, 0, 2, 3, 6, 4, 5, 6, 5, 2};
+  const MeshReport report = inspectScaled({{"", sheet, {}}});
+  CHECK(report.vertices == 6);
+  CHECK(report.components == 1);
+}
+
 TEST_CASE("inspected_parts: place and unit of decimals do not change the result") {
   const std::vector<PlacedTriangle> one =
       placedTriangles(remesh(bentTorus(Vec3::Zero(), 1), to150()).mesh, Vec3::Zero(), 1);

@@ -53,6 +53,16 @@ TEST_CASE("open number: of a part as many as isotropic triangles need") {
   }
 }
 
+TEST_CASE("open number: triangles that are even already stay as many as they are") {
+  // Two squares side by side and a fin on their common edge, all halves of squares.
+  TriangleMesh sheet;
+  sheet.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}, {2, 1, 0}, {1, 0, 1}};
+  sheet.indices = {0, 1, 2, 0, 2, 3, 1, 4, 5, 1, 5, 2, 1, 2, 6};
+  const RemeshOutcome made = remeshedOpenly(sheet);
+  CHECK(!says(made, "MORE_VERTICES_TAKEN"));
+  CHECK(!says(made, "ISOTROPIC_TAKES_MORE"));
+}
+
 TEST_CASE("open number: where four times as many do not suffice the shape stays, with a number") {
   const TriangleMesh block = shapes::drilledPlate(6, 2);
   const RemeshOutcome made = remeshedOpenly(block);
