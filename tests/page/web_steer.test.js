@@ -178,7 +178,7 @@ test('the number of a purpose is what it was set to, in the visitor’s unit', (
   assert.deepEqual(scaleOf('in', 40), { name: 'in', size: 1 });
 });
 
-test('a model too coarse for isotropic triangles opens with what they need, in one step', async () => {
+test('a model too coarse for isotropic triangles opens with enough vertices', async () => {
   await page.locator('button', { hasText: 'Back to the defaults' }).dispatchEvent('click');
   await page.selectOption('.target select', 'vertices');
   await drop(page, { 'plate.off': offText(plate()) });

@@ -60,7 +60,8 @@ export default {
   'target.same': '{closely}: as many as the original has.',
   'target.share': '{closely}; {share} of the original’s {count}.',
   'target.times': '{closely}; {times} times the original’s {count}.',
-  'target.enough': '{closely}: {times} times the original’s {count}, for isotropic triangles need them.',
+  'target.enough': '{closely}: {times} times the original’s {count}, '
+    + 'for isotropic triangles need them.',
   'progress': 'Remeshing progress',
   'preparing': 'Preparing',
   'privacy': 'Your files never leave this computer.',
