@@ -416,9 +416,8 @@ std::vector<Warning> unpaintedMaps(const std::vector<io::Part>& parts) {
     }
   std::vector<Warning> warnings;
   for (const auto& [name, count] : counts)
-    warnings.push_back({"MAP_NOT_PAINTED",
-                        "The map " + legible(name) + " cannot be baked and is lost.",
-                        count});
+    warnings.push_back(
+        {"MAP_NOT_PAINTED", "The map " + legible(name) + " cannot be baked and is lost.", count});
   return warnings;
 }
 
