@@ -4,6 +4,7 @@
 # matters more than speed; and the doors to repair, quads and whole steps, which the engine for
 # arrays lacks.
 set(fast
+  src/geometry/own_axes.cpp
   src/geometry/polar_map.cpp
   src/geometry/triangle.cpp
   src/geometry/triangle_tree.cpp

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The coordinates in which a mesh is worked on: about its middle and of about unit size, whatever
-// its place and size in the file. Coordinates in decimals, or of few binary digits, are whole
-// steps, so that no digit is lost on the way here and back.
+// The coordinates in which a mesh is worked on: about its middle, of about unit size and along axes
+// of its own, whatever its place, size and quarter turn in the file. Coordinates in decimals, or of
+// few binary digits, are whole steps, so that no digit is lost on the way here and back.
 #pragma once
 
+#include "base/quarter_turn.h"
 #include "base/types.h"
 
 namespace remesher {
@@ -13,15 +14,20 @@ struct Frame {
   Vec3 middle = Vec3::Zero();  // in steps: what is zero here
   double shared = 1;           // steps: all coordinates differ by multiples
   double unit = 1;             // a power of two: what `shared` is here
+  QuarterTurn turn;            // what turns written places
 
   // A place here, as it is written.
-  Vec3 written(const Vec3& p) const { return (p / unit * shared + middle) * step / parts; }
+  Vec3 written(const Vec3& p) const {
+    return (turn.turnedBack(p) / unit * shared + middle) * step / parts;
+  }
   // A written place, here.
-  Vec3 here(const Vec3& p) const { return (p * parts / step - middle) / shared * unit; }
+  Vec3 here(const Vec3& p) const {
+    return turn.turned(Vec3((p * parts / step - middle) / shared * unit));
+  }
   // The same of a place in whole steps.
   Vec3 hereInSteps(const Vec3& p) const {
     const Vec3 steps = (p * parts / step).array().round();
-    return (steps - middle) / shared * unit;
+    return turn.turned(Vec3((steps - middle) / shared * unit));
   }
   // A length here over the written one.
   double scale() const { return parts / step / shared * unit; }

@@ -59,7 +59,9 @@ bool isUnchanged(const TriangleMesh& now, const TriangleMesh& before) {
 }  // namespace
 
 InspectedParts::InspectedParts(const std::vector<io::Part>& given)
-    : given_(given), frames_(given), parts_(frames_.isNeeded() ? frames_.applied(given) : given) {
+    : given_(given),
+      frames_(given, FrameRounding::Allowed, FrameAxes::Own),
+      parts_(frames_.isNeeded() ? frames_.applied(given) : given) {
   for (io::Part& part : parts_) {
     requireValid(part.mesh);
     orders_.push_back(canonicalOrder(part.mesh));

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -15,65 +14,19 @@ namespace {
 
 using FloatPoint = std::array<float, 3>;
 
-// Axes in an order and a direction of the surface's own, so that turning it by quarters turns them
-// along: the widest spread of corners first, and away from their longer tail. Where the surface
-// does not tell clearly, as the coordinates have them.
-class OwnAxes {
- public:
-  explicit OwnAxes(const TriangleMesh& mesh) {
-    constexpr double kClear = 1e-6;
-    const Moments moments(mesh);
-    std::stable_sort(axes_.begin(), axes_.end(), [&](Eigen::Index a, Eigen::Index b) {
-      return moments.second[a] > (1 + kClear) * moments.second[b];
-    });
-    for (Eigen::Index k = 0; k < 3; ++k) {
-      const Eigen::Index axis = axes_[std::size_t(k)];
-      if (moments.third[axis] < -kClear) signs_[k] = -1;
-    }
-  }
-
-  Vec3 along(const Vec3& p) const {
-    return signs_.cwiseProduct(Vec3(p[axes_[0]], p[axes_[1]], p[axes_[2]]));
-  }
-
- private:
-  // Of the corners about the middle of their box, in sizes of the box.
-  struct Moments {
-    explicit Moments(const TriangleMesh& mesh) {
-      Eigen::AlignedBox3d box;
-      for (const Index v : mesh.indices) box.extend(mesh.positions[v]);
-      if (box.isEmpty()) return;
-      const Vec3 middle = box.min() / 2 + box.max() / 2;
-      const double size = (box.max() - box.min()).maxCoeff();
-      if (!(size > 0)) return;
-      for (const Index v : mesh.indices) {
-        const Eigen::Array3d x = ((mesh.positions[v] - middle) / size).array();
-        second += (x * x).matrix();
-        third += (x * x * x).matrix();
-      }
-      third /= double(mesh.indices.size());
-    }
-    Vec3 second = Vec3::Zero(), third = Vec3::Zero();
-  };
-
-  std::array<Eigen::Index, 3> axes_ = {0, 1, 2};
-  Vec3 signs_ = Vec3::Ones();
-};
-
-std::vector<FloatPoint> floatsOf(const std::vector<Vec3>& positions, const OwnAxes& axes) {
+std::vector<FloatPoint> floatsOf(const std::vector<Vec3>& positions) {
   std::vector<FloatPoint> floats;
   floats.reserve(positions.size());
   for (const Vec3& position : positions) {
-    const Vec3 p = axes.along(position);
-    floats.push_back({float(p.x()), float(p.y()), float(p.z())});
+    floats.push_back({float(position.x()), float(position.y()), float(position.z())});
   }
   return floats;
 }
 
 // Compares vertices by place, then by the values of the attributes: below 0 if a comes first, 0 if
 // they are just the same.
-int compared(const TriangleMesh& mesh, const OwnAxes& axes, Index a, Index b) {
-  const Vec3 p = axes.along(mesh.positions[a]), q = axes.along(mesh.positions[b]);
+int compared(const TriangleMesh& mesh, Index a, Index b) {
+  const Vec3 &p = mesh.positions[a], &q = mesh.positions[b];
   for (Eigen::Index axis = 0; axis < 3; ++axis)
     if (p[axis] != q[axis]) return p[axis] < q[axis] ? -1 : 1;
   for (const Attribute& attribute : mesh.attributes) {
@@ -86,11 +39,11 @@ int compared(const TriangleMesh& mesh, const OwnAxes& axes, Index a, Index b) {
   return 0;
 }
 
-std::vector<Index> verticesInOrder(const TriangleMesh& mesh, const OwnAxes& axes) {
-  const std::vector<FloatPoint> floats = floatsOf(mesh.positions, axes);
+std::vector<Index> verticesInOrder(const TriangleMesh& mesh) {
+  const std::vector<FloatPoint> floats = floatsOf(mesh.positions);
   std::vector<Index> order = orderInSpace(floats);
   const auto isBefore = [&](Index a, Index b) {
-    const int side = compared(mesh, axes, a, b);
+    const int side = compared(mesh, a, b);
     return side < 0 || (side == 0 && a < b);
   };
   for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
@@ -157,12 +110,10 @@ void addQuad(CanonicalOrder& order, const OrderedFace& face) {
 
 CanonicalOrder canonicalOrder(const TriangleMesh& mesh) {
   CanonicalOrder order;
-  const OwnAxes axes(mesh);
-  order.vertices = verticesInOrder(mesh, axes);
+  order.vertices = verticesInOrder(mesh);
   order.numbers.resize(order.vertices.size());
   for (Index v = 0; v < order.vertices.size(); ++v) {
-    const bool isSame =
-        v > 0 && compared(mesh, axes, order.vertices[v - 1], order.vertices[v]) == 0;
+    const bool isSame = v > 0 && compared(mesh, order.vertices[v - 1], order.vertices[v]) == 0;
     order.numbers[order.vertices[v]] = isSame ? order.numbers[order.vertices[v - 1]] : v;
   }
   for (const OrderedFace& face : facesInOrder(mesh, order.numbers)) {

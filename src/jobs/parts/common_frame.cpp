@@ -8,6 +8,7 @@
 #include <numeric>
 #include <utility>
 
+#include "geometry/own_axes.h"
 #include "geometry/triangle.h"
 #include "geometry/triangle_tree.h"
 
@@ -154,7 +155,9 @@ bool keepsShape(const std::vector<io::Part>& parts, const CommonFrame& frame) {
                                         frame.here(given[2])};
       for (std::size_t k = 0; k < 3; ++k) {
         const Vec3 before = (given[(k + 1) % 3] - given[k]) * frame.frame.unit;
-        if ((here[(k + 1) % 3] - here[k] - before).norm() > kShare * before.norm()) return false;
+        if ((frame.frame.turn.turnedBack(Vec3(here[(k + 1) % 3] - here[k])) - before).norm() >
+            kShare * before.norm())
+          return false;
       }
       if (flatness(given[0], given[1], given[2]) > kFlattest &&
           flatness(here[0], here[1], here[2]) <= kFlattest)
@@ -164,9 +167,18 @@ bool keepsShape(const std::vector<io::Part>& parts, const CommonFrame& frame) {
   return true;
 }
 
+// Along the own axes of the parts' corners.
+QuarterTurn ownTurn(const std::vector<io::Part>& parts, const Box& box) {
+  SpreadOfPoints spread(box);
+  for (const io::Part& part : parts)
+    for (const Index v : part.mesh.indices)
+      if (v < part.mesh.positions.size()) spread.add(part.mesh.positions[v]);
+  return spread.ownAxes();
+}
+
 }  // namespace
 
-std::optional<CommonFrame> commonFrame(const std::vector<io::Part>& parts) {
+std::optional<CommonFrame> commonFrame(const std::vector<io::Part>& parts, FrameAxes axes) {
   const Box box = boxOfTriangles(parts);
   if (!(box.low.x() <= box.high.x()) || isExtreme(parts, box)) return std::nullopt;
   const bool isAnySingle = std::any_of(parts.begin(), parts.end(),
@@ -174,13 +186,16 @@ std::optional<CommonFrame> commonFrame(const std::vector<io::Part>& parts) {
   const Vec3 sides = box.high - box.low;
   const double farthest = std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
   if (isAnySingle && farthest > kFarSingle * sides.norm()) return std::nullopt;
+  const QuarterTurn turn = axes == FrameAxes::Own ? ownTurn(parts, box) : QuarterTurn{};
   if (const std::optional<Frame> steps = stepFrame(parts, box)) {
-    const CommonFrame whole = {*steps, true};
+    CommonFrame whole = {*steps, true};
+    whole.frame.turn = turn;
     if (isExact(parts, whole)) return whole;
   }
   CommonFrame rounded;
   rounded.frame.middle = box.low / 2 + box.high / 2;
   rounded.frame.unit = unitFor(sides);
+  rounded.frame.turn = turn;
   if (!keepsShape(parts, rounded)) return std::nullopt;
   return rounded;
 }

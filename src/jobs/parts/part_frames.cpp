@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -68,6 +69,26 @@ Vec3 originOf(const HalfBox& box) {
   return origin.allFinite() ? origin : Vec3::Zero();
 }
 
+// Whether the attribute's values are directions or moves in space: their first three numbers turn.
+bool isInSpace(const Attribute& attribute) {
+  const std::string_view semantic = attribute.semantic;
+  const std::string_view own =
+      semantic.starts_with("TARGET_") ? semantic.substr(semantic.find('/') + 1) : semantic;
+  return attribute.itemSize >= 3 && (own == "NORMAL" || own == "TANGENT" || own == "POSITION");
+}
+
+template <class Turned>
+void turnDirections(TriangleMesh& mesh, Turned turned) {
+  for (Attribute& attribute : mesh.attributes) {
+    if (!isInSpace(attribute)) continue;
+    const auto stride = std::size_t(attribute.itemSize);
+    for (std::size_t at = 0; at + stride <= attribute.values.size(); at += stride) {
+      Eigen::Map<Eigen::Vector3f> direction(&attribute.values[at]);
+      direction = turned(Eigen::Vector3f(direction));
+    }
+  }
+}
+
 HalfBox movedBy(const HalfBox& box, const Vec3& origin) {
   return box.isEmpty() ? box : HalfBox(box.min() - origin / 2, box.max() - origin / 2);
 }
@@ -92,7 +113,9 @@ double asSingle(double x, double rounding) {
 // The way from the frame to written places.
 Transform writtenFrom(const Frame& frame) {
   Transform way = Transform::Identity();
-  way.translate(frame.written(Vec3::Zero())).scale(1 / frame.scale());
+  way.translate(frame.written(Vec3::Zero()))
+      .rotate(Eigen::Matrix3d(frame.turn.matrix().transpose()))
+      .scale(1 / frame.scale());
   return way;
 }
 
@@ -113,15 +136,15 @@ double unitScale(const HalfBox& box) {
 // The way from written places to the frame.
 Transform hereFrom(const Frame& frame) {
   Transform way = Transform::Identity();
-  way.scale(frame.scale()).translate(-frame.written(Vec3::Zero()));
+  way.scale(frame.scale()).rotate(frame.turn.matrix()).translate(-frame.written(Vec3::Zero()));
   return way;
 }
 
 }  // namespace
 
-PartFrames::PartFrames(const std::vector<io::Part>& parts, FrameRounding rounding) {
+PartFrames::PartFrames(const std::vector<io::Part>& parts, FrameRounding rounding, FrameAxes axes) {
   const bool isWorld = areInWorld(parts);
-  if (isWorld || parts.size() == 1) common_ = commonFrame(parts);
+  if (isWorld || parts.size() == 1) common_ = commonFrame(parts, axes);
   if (common_ && !common_->isInSteps && rounding == FrameRounding::None) common_.reset();
   if (common_ && !common_->isInSteps) noteRounded(parts);
   HalfBox world;
@@ -152,7 +175,8 @@ PartFrames::PartFrames(const std::vector<io::Part>& parts, FrameRounding roundin
 void PartFrames::noteRounded(const std::vector<io::Part>& parts) {
   for (const io::Part& part : parts)
     for (const Vec3& p : part.mesh.positions) {
-      const Vec3 here = common_->here(p), back = common_->frame.written(here);
+      const Vec3 there = common_->here(p), back = common_->frame.written(there);
+      const Vec3 here = common_->frame.turn.turnedBack(there);
       for (Eigen::Index axis = 0; axis < 3; ++axis)
         if (back[axis] != p[axis]) rounded_[std::size_t(axis)].push_back({here[axis], p[axis]});
     }
@@ -171,7 +195,7 @@ bool PartFrames::isNeeded() const {
 
 Frame PartFrames::frameOf(std::size_t part) const {
   Frame frame = common_ ? common_->frame : Frame{};
-  frame.middle += origins_[part] / frame.unit * frame.shared;
+  frame.middle += frame.turn.turnedBack(origins_[part]) / frame.unit * frame.shared;
   frame.unit *= local_[part];
   return frame;
 }
@@ -188,11 +212,13 @@ Transform PartFrames::placed(Transform place, std::size_t part) const {
 }
 
 std::vector<io::Part> PartFrames::applied(std::vector<io::Part> parts) const {
+  const QuarterTurn turn = common_ ? common_->frame.turn : QuarterTurn{};
   for (std::size_t i = 0; i < parts.size(); ++i) {
     unifyPlaces(parts[i].mesh.positions);  // away from zero nothing tells noise from shape
     for (Vec3& p : parts[i].mesh.positions)
       p = ((common_ ? common_->here(p) : p) - origins_[i]) * local_[i];
     parts[i].mesh.frame = frameOf(i);
+    turnDirections(parts[i].mesh, [&](const auto& d) { return turn.turned(d); });
     if (parts[i].instances.empty()) parts[i].instances.push_back(Transform::Identity());
     for (Transform& place : parts[i].instances) place = placed(place, i);
   }
@@ -209,12 +235,13 @@ Vec3 PartFrames::undone(std::size_t part, const Vec3& p) const {
   const Vec3 common = p / local_[part] + origins_[part];
   if (!common_) return common;
   Vec3 written = common_->frame.written(common);
+  const Vec3 here = common_->frame.turn.turnedBack(common);
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     const auto& values = rounded_[std::size_t(axis)];
     const auto found =
-        std::lower_bound(values.begin(), values.end(), common[axis],
+        std::lower_bound(values.begin(), values.end(), here[axis],
                          [](const auto& value, double x) { return value.first < x; });
-    if (found != values.end() && found->first == common[axis]) written[axis] = found->second;
+    if (found != values.end() && found->first == here[axis]) written[axis] = found->second;
   }
   return written;
 }
@@ -232,6 +259,7 @@ std::vector<io::Part> PartFrames::undone(std::vector<io::Part> parts,
       for (double& x : p) x = asSingle(x, rounding);
     }
     mesh.frame = {};
+    turnDirections(mesh, [&](const auto& d) { return frame.turn.turnedBack(d); });
     parts[i].instances = originals[i].instances;
   }
   return parts;

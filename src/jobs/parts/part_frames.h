@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Brings models of any size and at any place to about unit size near the origin, and back, so that
-// place and size change no result. Areas, their squares and single precision numbers overflow or
-// underflow long before lengths do; far from the origin the rounding of coordinates seems larger
-// than it is. Parts that share the world's space share a frame (see CommonFrame). A part that is
-// extreme beside it, or at another place, is moved and scaled by numbers of few digits.
+// place and size change no result; with axes of their own, nor do quarter turns. Areas, their
+// squares and single precision numbers overflow or underflow long before lengths do; far from the
+// origin the rounding of coordinates seems larger than it is. Parts that share the world's space
+// share a frame (see CommonFrame). A part that is extreme beside it, or at another place, is moved
+// and scaled by numbers of few digits.
 #pragma once
 
 #include <array>
@@ -25,7 +26,8 @@ enum class FrameRounding : char { Allowed, None };
 class PartFrames {
  public:
   explicit PartFrames(const std::vector<io::Part>& parts,
-                      FrameRounding rounding = FrameRounding::Allowed);
+                      FrameRounding rounding = FrameRounding::Allowed,
+                      FrameAxes axes = FrameAxes::Given);
 
   // Whether applying changes anything.
   bool isNeeded() const;

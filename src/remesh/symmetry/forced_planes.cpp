@@ -101,15 +101,18 @@ ForcedPlanes forcedPlanes(const TriangleMesh& mesh, Symmetry symmetry) {
   const Mismatch mismatch(mesh);
   const double slack = kSingleRoundOff * extentOf(mesh).diagonal();
   std::string planes, sides;
-  for (const Eigen::Index axis : axesOf(symmetry)) {
+  const QuarterTurn& turn = mesh.frame.turn;
+  for (const Eigen::Index written : axesOf(symmetry)) {
+    const Eigen::Index axis = turn.axisOf(written);
     MirrorPlane plane = bestPlane(mesh, axis, mismatch);
     const MirrorPlane behind{-plane.normal, -plane.offset};
     const double front = areaInFront(mesh, plane, slack), back = areaInFront(mesh, behind, slack);
     const bool isBehind = back > (1 + kAsMuch) * front;
-    const std::string name = kAxes[axis];
+    const std::string name = kAxes[written];
+    const bool isSmaller = isBehind == (turn.signs[std::size_t(axis)] > 0);
     if (!planes.empty()) planes += ", ", sides += ", ";
     planes += name;
-    sides += (isBehind ? "smaller " : "larger ") + name;
+    sides += (isSmaller ? "smaller " : "larger ") + name;
     forced.planes.push_back(isBehind ? behind : plane);
   }
   forced.said = "The quads are made mirrored about planes at right angles to " + planes +

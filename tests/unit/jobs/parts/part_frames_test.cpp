@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "remesher.h"
@@ -19,6 +20,23 @@ TriangleMesh scaled(TriangleMesh mesh, double factor) {
 
 io::Part placed(const TriangleMesh& mesh, double instanceScale) {
   return {"", mesh, {Transform(Eigen::Scaling(instanceScale))}};
+}
+
+// No turn takes it to itself. Its coordinates are whole steps.
+TriangleMesh bentTorus() {
+  TriangleMesh mesh = shapes::torus(24, 12);
+  for (Vec3& p : mesh.positions)
+    p += Vec3(0.1 * p.y() * p.y(), 0.2 * p.z() + 0.1 * p.x() * p.x(), 0.3 * p.x() * p.x());
+  for (Vec3& p : mesh.positions) p = (1024 * p).array().round() / 1024;
+  return mesh;
+}
+
+constexpr QuarterTurn kTurns[] = {
+    {{1, 2, 0}, {1, 1, 1}}, {{0, 2, 1}, {1, 1, -1}}, {{0, 1, 2}, {-1, -1, 1}}};
+
+TriangleMesh turned(TriangleMesh mesh, const QuarterTurn& turn) {
+  for (Vec3& p : mesh.positions) p = turn.turned(p);
+  return mesh;
 }
 
 }  // namespace
@@ -119,6 +137,54 @@ TEST_CASE("part_frames: a mesh of any size is remeshed as one of size one is") {
       CHECK(other.report.fidelity->hausdorff == one.report.fidelity->hausdorff);
       CHECK(other.report.output->minAngle.worst == one.report.output->minAngle.worst);
       CHECK(inspect(scaled(torus, size)).input.minAngle.mean == one.report.input.minAngle.mean);
+    }
+  }
+}
+
+TEST_CASE("part_frames: along axes of its own, a quarter turn of a surface changes nothing") {
+  TriangleMesh mesh = bentTorus();
+  mesh.attributes.push_back({"NORMAL", 3, {}});
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+    mesh.attributes[0].values.insert(mesh.attributes[0].values.end(), {0.36F, 0.48F, 0.8F});
+  const auto framesOf = [](const io::Part& part) {
+    return PartFrames({part}, FrameRounding::Allowed, FrameAxes::Own);
+  };
+  const io::Part given = placed(mesh, 1);
+  const io::Part one = framesOf(given).applied({given}).front();
+  for (const QuarterTurn& turn : kTurns) {
+    io::Part part = given;
+    part.mesh = turned(part.mesh, turn);
+    std::vector<float>& normals = part.mesh.attributes[0].values;
+    for (std::size_t i = 0; i < normals.size(); i += 3) {
+      const Eigen::Vector3f turned = turn.turned(Eigen::Vector3f(0.36F, 0.48F, 0.8F));
+      std::copy(turned.begin(), turned.end(), normals.begin() + std::ptrdiff_t(i));
+    }
+    const PartFrames frames = framesOf(part);
+    const std::vector<io::Part> other = frames.applied({part});
+    CHECK(other[0].mesh.positions == one.mesh.positions);
+    CHECK(other[0].mesh.attributes[0].values == one.mesh.attributes[0].values);
+    const Vec3 at = part.mesh.positions[5];
+    CHECK(frames.inWorld(other[0], other[0].mesh.positions[5]) == at);
+    CHECK(frames.undone(0, other[0].mesh.positions[5]) == at);
+    const std::vector<io::Part> back = frames.undone(other, {part});
+    CHECK(back[0].mesh.positions == part.mesh.positions);
+    CHECK(back[0].mesh.attributes[0].values == normals);
+  }
+}
+
+TEST_CASE("part_frames: a mesh turned by quarters is remeshed as the mesh is, and turned") {
+  RemeshOptions options;
+  options.vertices = 150;
+  for (const bool quads : {false, true}) {
+    options.quads = quads;
+    const RemeshResult one = remesh(bentTorus(), options);
+    for (const QuarterTurn& turn : kTurns) {
+      const RemeshResult other = remesh(turned(bentTorus(), turn), options);
+      CHECK(other.mesh.indices == one.mesh.indices);
+      const TriangleMesh expected = turned(one.mesh, turn);
+      REQUIRE(other.mesh.positions.size() == expected.positions.size());
+      for (std::size_t v = 0; v < expected.positions.size(); ++v)
+        CHECK((other.mesh.positions[v] - expected.positions[v]).norm() < 1e-12);
     }
   }
 }
