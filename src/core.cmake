@@ -217,6 +217,7 @@ set(small
   src/original/surface/refined_faces.cpp
   src/remesh/accuracy/bound_error.cpp
   src/remesh/accuracy/lower_hausdorff.cpp
+  src/remesh/accuracy/narrow_sizes.cpp
   src/remesh/accuracy/narrowest.cpp
   src/remesh/accuracy/needles.cpp
   src/remesh/accuracy/place_finder.cpp

@@ -116,6 +116,7 @@ add_executable(unit_tests
   tests/unit/remesh/accuracy/bound_error_test.cpp
   tests/unit/remesh/accuracy/fit_test.cpp
   tests/unit/remesh/accuracy/lower_hausdorff_test.cpp
+  tests/unit/remesh/accuracy/narrow_sizes_test.cpp
   tests/unit/remesh/accuracy/narrowest_test.cpp
   tests/unit/remesh/accuracy/needles_test.cpp
   tests/unit/remesh/accuracy/poor_regions_test.cpp

@@ -258,7 +258,7 @@ SizeField::SizeField(const OriginalSurface& surface, const SizeRules& rules)
     sizes_.assign(sizes_.size(), mean_);
     return;
   }
-  const double slope = steepestSlope(rules.gradation);
+  const double slope = slope_ = steepestSlope(rules.gradation);
   if (surface.hasFlats() && rules.adaptivity > 0 && kept.size() == 0 && !wished_ && !spiked_) {
     refined_ = std::make_shared<RefinedFaces>(surface, kFinestPart * mean_);
     sizes_ = accurateSizes(surface, *refined_, {mean_, rules.adaptivity, slope, rules.error});
@@ -290,6 +290,16 @@ SizeField::SizeField(const OriginalSurface& surface, const SizeRules& rules)
   if (rules.spikes) stretchSpikes(*rules.spikes, sizes_);
   meanEdge_ = meanOverEdges(areas, sizes_);
   vertices_ = std::max(rules.vertices, verticesOf(areas, sizes_));
+}
+
+double SizeField::narrow(const OriginalSurface& surface,
+                         std::span<const std::pair<Vertex, double>> sizes) {
+  if (refined_ || even_ || wished_) return 0;
+  const VertexData<double> areas = vertexAreas(surface);
+  const double before = verticesOf(areas, sizes_);
+  for (const auto& [v, size] : sizes) sizes_[v] = std::min(sizes_[v], size);
+  limitGradation(surface, slope_, sizes_);
+  return verticesOf(areas, sizes_) - before;
 }
 
 void SizeField::moveOnto(const OriginalSurface& finer, const VertexData<Vertex>& heirs) {

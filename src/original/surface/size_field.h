@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <span>
+#include <utility>
 
 #include "original/curves/spikes.h"
 #include "original/surface/original_surface.h"
@@ -39,6 +40,11 @@ class SizeField {
   // size it takes.
   void moveOnto(const OriginalSurface& finer, const VertexData<Vertex>& heirs);
 
+  // Lowers sizes of the surface's vertices to these at most, and those around them as gradation
+  // asks. Returns how many vertices more a mesh of these sizes has. Sizes that are the caller's
+  // wish, and those of places in flat faces, stay.
+  double narrow(const OriginalSurface& surface, std::span<const std::pair<Vertex, double>> sizes);
+
   // Whether the size is the same everywhere.
   bool isEven() const { return even_; }
   // Whether the sizes include the caller's own density.
@@ -59,6 +65,7 @@ class SizeField {
   double mean_ = 0;
   double meanEdge_ = 0;
   double vertices_ = 0;
+  double slope_ = 0;  // of gradation
   bool wished_ = false;
   bool spiked_ = false;
   bool even_ = false;

@@ -8,6 +8,7 @@
 #include "original/surface/curvature.h"
 #include "remesh/accuracy/fit.h"
 #include "remesh/accuracy/lower_hausdorff.h"
+#include "remesh/accuracy/narrow_sizes.h"
 #include "remesh/accuracy/tips.h"
 #include "remesh/gate/angles.h"
 #include "remesh/schemes/land.h"
@@ -98,6 +99,17 @@ void smoothOntoTips(Run& run) {
   smooth(run);
 }
 
+// The vertices that the farthest places take are given back where they are missed least, when the
+// count is matched.
+void reachFarPlaces(Run& run) {
+  const std::size_t more = narrowSizes(run);
+  if (more == 0) return;
+  matchCount(run, run.mesh.mesh().vertexCount() + more);
+  delaunayFlips(run.mesh, run.asked.rule);
+  valenceFlips(run);
+  smooth(run);
+}
+
 // Following the boundaries adds vertices; matching the count removes some, at boundaries too.
 bool followToCount(Run& run, std::size_t vertices) {
   bool reached = false;
@@ -140,6 +152,7 @@ bool refine(Run& run, const Levels& levels, const Progress& progress) {
   if (levels.quality == Quality::Best) {
     progress.phase("tips", 1, 1);
     smoothOntoTips(run);
+    take("narrow sizes", [&] { reachFarPlaces(run); });
   }
   progress.phase("count", 1, 1);
   return followToCount(run, levels.vertices);
