@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Installs what is missing, then builds what is asked for, one line per step:
 //   node bindings/build.js package          the npm package in dist/
-//   node bindings/build.js package tests    and the native unit tests with the tools that check
-//   node bindings/build.js package tests integration   and the programs that the package works with
+//   node bindings/build.js package tests    and the native unit tests
+//   node bindings/build.js package integration   and the programs that the package works with, the
+//                                           native library, the targets of the fuzzer
 //   node bindings/build.js package lint     and what checks the sources without building them
 //   node bindings/build.js package measure  and the native judge of the benchmark
 //   node bindings/build.js sanitized        the unit tests again, with sanitizers
@@ -14,8 +15,8 @@
 
 import { assemblePackage, assembleProfile } from './build/assemble.js';
 import {
-  buildFuzz, buildMeasure, buildProfile, buildSanitized, buildUnitTests, buildWebAssembly,
-  configureUnitTests,
+  buildFuzz, buildLibrary, buildMeasure, buildProfile, buildSanitized, buildUnitTests,
+  buildWebAssembly, configureUnitTests,
 } from './build/compile.js';
 import { installNpmPackages, installTools } from './build/install.js';
 import { BuildError, run, say } from './build/say.js';
@@ -46,7 +47,7 @@ async function build(/** @type {readonly Part[]} */ parts) {
       await Promise.all([buildUnitTests(system), installs]);
       if (isPackageInWork) await testAhead();
     },
-    integration: async () => {},
+    integration: () => buildLibrary(system),
     lint: () => configureUnitTests(system),
     measure: () => buildMeasure(system),
     sanitized: () => buildSanitized(system),

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Runs test files side by side:
-//   node tests/run.js               all of them, but those that could only pass again, lint_cpp and
-//                                   the integration with other programs
-//   node tests/run.js --again       all of them but lint_cpp and integration
+//   node tests/run.js               all of them, but those that could only pass again, linters and
+//                                   integration
+//   node tests/run.js --again       all of them but linters and integration
 //   node tests/run.js page gltf     those whose paths contain one of the words
 // Node's own runner leaves one core idle, which is half of a machine with two. Two files more than
 // there are cores run at a time, for those of the page often wait. The files that take longest
@@ -19,17 +19,18 @@ import { filesUnder, root } from './support/tree.js';
 /** No file takes half as long, even beside others: what does hangs. In milliseconds. */
 const longestRun = 900_000;
 
-/** Minutes that only who changes the sources (`npm run lint`) or publishes the package
- * (`npm run integration`) need spend. */
-const onlyAsked = /lint_cpp\.test|^tests\/integration\//;
+/** Minutes that only who changes the sources (`npm run lint`) or what the page shows, or publishes
+ * the package (`npm run integration`), need spend. */
+const onlyAsked = /lint(_cpp)?\.test|^tests\/integration\//;
 
 /**
  * Those of eight seconds and more; the last to end is one of the short ones. The first that needs
  * the page builds it, while others run that do not.
  */
-const longest = ['lint_cpp', 'unit', 'web_everyone', 'lint', 'web_trust', 'web_doors', 'faults',
-  'web_see', 'web_out', 'web_steer', 'rendering', 'web_kept', 'web_same', 'web_paint', 'web_in',
-  'repair', 'quads', 'laws', 'fuzz', 'web', 'readme', 'bake', 'package', 'sizes'];
+const longest = ['lint_cpp', 'unit', 'web_everyone', 'lint', 'web_doors', 'faults', 'web_see',
+  'web_out', 'web_steer', 'rendering', 'web_kept', 'web_large', 'web_same', 'web_paint', 'web_in',
+  'web', 'repair', 'quads', 'web_trust', 'laws', 'package', 'site', 'readme', 'fuzz', 'bake',
+  'sizes'];
 const rank = (/** @type {string} */ file) => {
   const at = longest.indexOf(basename(file, '.test.js'));
   return at < 0 ? longest.length : at;

@@ -80,13 +80,11 @@ export const buildWebAssembly = (system) => buildTarget({
 
 /**
  * The steps after compiling the module, its linking and the package's types, use one core. They
- * begin as early as possible, and the unit tests, which give way, fill the other cores. The
- * fuzzer's one unit is compiled with them: at the end it would keep one core busy, the others idle.
+ * begin as early as possible, and the unit tests, which give way, fill the other cores.
  * @param {System} system
  */
 const unitTests = (system) => ({
-  what: 'the unit tests, with checks', folder: 'build/test',
-  names: ['fuzz_replay', 'remesher', 'unit_tests'], givesWay: true,
+  what: 'the unit tests, with checks', folder: 'build/test', names: ['unit_tests'], givesWay: true,
   definitions: [...commonDefinitions(system), ...testDefinitions(system)],
 });
 
@@ -99,6 +97,12 @@ export const buildProfile = (system) => buildTarget({
 
 /** @param {System} system */
 export const buildUnitTests = (system) => buildTarget(unitTests(system));
+
+/** In the same folder, so not side by side with the unit tests. @param {System} system */
+export const buildLibrary = (system) => buildTarget({
+  ...unitTests(system), what: 'the native library and the targets of the fuzzer, with checks',
+  names: ['fuzz_replay', 'remesher'],
+});
 
 /** The same programs, which say more of memory used wrongly. @param {System} system */
 export const buildSanitized = (system) => buildTarget({

@@ -95,8 +95,6 @@ const variable = 'REMESHER_INCLUDE';
 /** @type {Part[]} */
 const all = ['package', 'tests', 'lint', 'measure', 'sanitized', 'fuzz'];
 /** @type {Part[]} */
-const checks = ['tests', 'lint'];
-/** @type {Part[]} */
 const sanitizers = ['sanitized', 'fuzz'];
 
 /** @type {readonly Need[]} */
@@ -122,22 +120,23 @@ export const needs = [
   { name: 'tinygltf 2', parts: all, find: header('tiny_gltf.h'), variable,
     packages: { apt: 'libtinygltf-dev', dnf: 'tinygltf-devel', apk: 'tinygltf-dev',
       nix: 'tinygltf' } },
-  { name: 'g++', parts: ['tests', 'lint', 'measure'],
+  { name: 'g++', parts: ['tests', 'integration', 'lint', 'measure'],
     find: (system) => findProgram(system, system.platform === 'darwin' ? 'c++' : 'g++'),
     packages: { apt: 'g++', dnf: 'gcc-c++', pacman: 'gcc', apk: 'g++', brew: 'gcc', nix: 'gcc' } },
-  { name: 'clang++', parts: checks, find: findClang,
+  { name: 'clang++', parts: ['tests', 'integration', 'lint'], find: findClang,
     packages: { apt: 'clang', dnf: 'clang', pacman: 'clang', apk: 'clang', brew: 'llvm',
       nix: 'clang' } },
   { name: 'clang++ with sanitizers', parts: sanitizers, find: findSanitizingClang,
     packages: { apt: 'clang libclang-rt-dev', dnf: 'clang compiler-rt', pacman: 'clang compiler-rt',
       apk: 'clang compiler-rt', brew: 'llvm', nix: 'clang' } },
-  { name: 'clang-format', parts: checks, find: program('clang-format'),
+  { name: 'clang-format', parts: ['lint'], find: program('clang-format'),
     packages: { apt: 'clang-format', dnf: 'clang-tools-extra', pacman: 'clang',
       apk: 'clang-extra-tools', brew: 'clang-format', nix: 'clang-tools' } },
   { name: 'clang-tidy', parts: ['lint'], find: program('clang-tidy'),
     packages: { apt: 'clang-tidy', dnf: 'clang-tools-extra', pacman: 'clang',
       apk: 'clang-extra-tools', brew: 'llvm', nix: 'clang-tools' } },
-  { name: 'doctest', parts: [...checks, 'sanitized'], find: header('doctest/doctest.h'), variable,
+  { name: 'doctest', parts: ['tests', 'lint', 'sanitized'],
+    find: header('doctest/doctest.h'), variable,
     packages: { apt: 'doctest-dev', dnf: 'doctest-devel', pacman: 'doctest', apk: 'doctest-dev',
       brew: 'doctest', nix: 'doctest' } },
   { name: 'Chromium', parts: ['tests', 'integration', 'bits'], find: findChromium,

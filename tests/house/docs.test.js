@@ -1,171 +1,17 @@
 // SPDX-License-Identifier: MIT
-// What there is to read: the reference has all that is public, the site has the papers and needs
-// nothing from elsewhere, and no link leads nowhere. Links to other hosts are not followed.
+// What the papers name is there: links, files and modules. tests/integration/site.test.js has the
+// site that is made of them.
 import assert from 'node:assert/strict';
-import { cpSync, existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { dirname, join, normalize } from 'node:path';
-import { after, test } from 'node:test';
-import { inflateSync } from 'node:zlib';
+import { existsSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { test } from 'node:test';
 
-import * as remesher from 'remesher';
-import * as arrays from 'remesher/arrays';
-import * as gltfTransform from 'remesher/gltf-transform';
-import * as options from 'remesher/options';
-import * as pool from 'remesher/pool';
-import * as three from 'remesher/three';
-
-import { documentation } from '../../web/documentation.js';
-import { buildDocs } from '../support/built_docs.js';
-import { builtPage } from '../support/built_page.js';
-import { startChromium } from '../support/chromium.js';
-import { serve } from '../support/line_of_page.js';
+import { deadLinks, papers } from '../support/papers.js';
 import { filesUnder, readText, root } from '../support/tree.js';
-
-const reference = 'build/docs';
-const papers =
-  ['README.md', 'CHANGELOG.md', 'CONTRIBUTING.md', 'SECURITY.md', 'src/README.md',
-    ...filesUnder('docs', /\.md$/)];
-
-// Not made again as long as what it is made of is the same.
-buildDocs();
-
-const browser = await startChromium({ isLean: true });
-after(() => browser.close());
-
-/** The places a page has names for. */
-const idsOf = (file) => [...readText(file).matchAll(/\sid="([^"]+)"/g)].map(([, id]) => id);
 
 /** Headings of Markdown, as they are named in links. */
 const headingsOf = (file) => [...readText(file).matchAll(/^#+ (.+)$/gm)].map(([, text]) =>
   text.toLowerCase().replace(/[^\p{L}\p{N} _-]/gu, '').replaceAll(' ', '-'));
-
-/** Links of a file that lead to no file, or to no place in it. */
-function deadLinks(file, links, placesOf) {
-  return links.filter((link) => !/^[a-z]+:/.test(link)).filter((link) => {
-    const [path, place] = link.split('#').map(decodeURIComponent);
-    const target = path === '' ? file : normalize(join(dirname(file), path));
-    if (!existsSync(join(root, target))) return true;
-    return Boolean(place) && /\.(html|md|svg)$/.test(target) && !placesOf(target).includes(place);
-  }).map((link) => `${file}: ${link}`);
-}
-
-test('the reference has a page for every public function, and text on it', () => {
-  const names = { remesher, remesher_arrays: arrays, remesher_options: options, remesher_pool: pool,
-    'remesher_gltf-transform': gltfTransform, remesher_three: three };
-  for (const [module, exported] of Object.entries(names)) {
-    // What the main entry has, too, has its page there.
-    const own = Object.entries(exported).filter(([name, value]) => value instanceof Function
-      && (exported === remesher || remesher[name] !== value));
-    for (const [name, value] of own) {
-      const folder = /^class /.test(Function.prototype.toString.call(value))
-        ? 'classes' : 'functions';
-      const page = readText(`${reference}/${folder}/${module}.${name}.html`);
-      assert.match(page, /tsd-comment[^>]*>\s*<p>\w/, `${name} says what it does`);
-    }
-  }
-});
-
-test('the reference has every option, in its table and in its type', () => {
-  const table = readText(`${reference}/documents/Options.html`);
-  const type = readText(`${reference}/interfaces/remesher.RemeshOptions.html`);
-  for (const { name, flag } of options.optionTable) {
-    assert.ok(table.includes(`<code>${name}</code>`), name);
-    if (flag) assert.ok(table.includes(`<code>${flag}</code>`), flag);
-    assert.ok(type.includes(`id="${name.toLowerCase()}"`), `${name} in RemeshOptions`);
-  }
-});
-
-/** What the scripts of the site read, as TypeDoc packs it: an array or an object. */
-function packed(name) {
-  const [, text] = /"([\w+/=]+)"/.exec(readText(`${reference}/assets/${name}.js`));
-  return JSON.parse(String(inflateSync(Buffer.from(text, 'base64'))));
-}
-
-/** The entries of the navigation, however deep. */
-const flat = (entries) => entries.flatMap((entry) => [entry, ...flat(entry.children ?? [])]);
-
-test('the navigation has every paper and every entry by name, and leads somewhere', () => {
-  const navigation = packed('navigation');
-  assert.deepEqual(navigation.map(({ text }) => text),
-    ['Guides', 'Recipes', 'Reference', 'Modules', 'Project']);
-  const [guides, recipes, papersToLookUp, modules, project] = navigation.map(({ children }) =>
-    children.map(({ text }) => text));
-  const headingOf = (file) => readText(file).match(/^# (.+)$/m)[1];
-  const wanted = (files) => files.map(headingOf).sort();
-  assert.deepEqual(recipes.sort(), wanted(filesUnder('docs/recipes', /\.md$/)));
-  assert.deepEqual(guides.sort(),
-    wanted(['docs/README.md', ...filesUnder('docs/guides', /\.md$/)]));
-  assert.deepEqual([...papersToLookUp, ...project].sort(), ['Options', ...wanted([...papers
-    .filter((file) => !/^README|docs\/(README|recipes|guides)/.test(file)), 'tests/README.md'])]
-    .sort());
-  const { name, exports } = JSON.parse(readText('package.json'));
-  assert.deepEqual(modules, Object.keys(exports).filter((path) => exports[path].types)
-    .map((path) => join(name, path)));
-  const dead = flat(navigation).flatMap(({ path }) => path ?? [])
-    .filter((path) => !existsSync(join(root, reference, decodeURIComponent(path.split('#')[0]))));
-  assert.deepEqual(dead, []);
-});
-
-test('no paper is linked as bare Markdown', () => {
-  assert.deepEqual(filesUnder(`${reference}/media`, /\.md$/), []);
-});
-
-test('the site fits a phone, is searched, and asks for nothing elsewhere', async () => {
-  const { url, close } = await serve(join(root, reference), "'unsafe-inline'");
-  const page = await browser.newPage({ viewport: { width: 390, height: 844 } });
-  const complaints = [];
-  page.on('console', (message) => complaints.push(message.text()));
-  page.on('pageerror', (error) => complaints.push(String(error)));
-  page.on('request', (request) => {
-    if (!request.url().startsWith(url)) complaints.push(request.url());
-  });
-  for (const file of filesUnder(reference, /(documents\/.*|index|RemeshOptions)\.html$/)) {
-    const address = `${url}/${encodeURI(file.slice(reference.length + 1))}`;
-    await page.goto(address, { waitUntil: 'domcontentloaded' });
-    const width = await page.evaluate(() => document.documentElement.scrollWidth);
-    assert.ok(width <= 390, `${file}: ${width}`);
-  }
-  await page.click('#tsd-search-trigger');
-  await page.fill('#tsd-search-input', 'density');
-  await page.click('#tsd-search-results a:has-text("A density of your own")');
-  await page.waitForSelector('h1:has-text("A density of your own")');
-  assert.deepEqual(complaints.filter((text) => !/favicon/.test(text)), []);
-  await page.close();
-  close();
-});
-
-test('the page leads to it where it lies beside it, and nowhere where it does not', async () => {
-  const built = await builtPage();
-  const bare = readFileSync(join(built, 'index.html'), 'utf8');
-  const folder = mkdtempSync(join(tmpdir(), 'remesher-docs-'));
-  cpSync(built, folder, { recursive: true });
-  const plugin = documentation(join(root, reference));
-  plugin.configResolved({ build: { outDir: folder } });
-  writeFileSync(join(folder, 'index.html'), plugin.transformIndexHtml(bare));
-  plugin.closeBundle();
-  assert.throws(() => plugin.transformIndexHtml('<p></p>'), /no link/);
-  const { url, close } = await serve(folder);
-  const page = await browser.newPage({ javaScriptEnabled: false });  // the link needs none
-  await page.goto(url);
-  const [docs] = await Promise.all([page.waitForEvent('popup'), page.click('#reading a')]);
-  await docs.waitForSelector('h1:has-text("remesher")', { state: 'attached' });
-  assert.equal(new URL(docs.url()).pathname, '/docs/index.html');
-  await page.setContent(bare);
-  assert.ok(await page.isHidden('#reading'));
-  close();
-  rmSync(folder, { recursive: true });
-});
-
-test('no link of the reference leads nowhere', () => {
-  const pages = filesUnder(reference, /\.html$/);
-  const dead = pages.flatMap((page) => {
-    const links = readText(page).matchAll(/\s(?:href|src)="([^"]*)"/g);
-    return deadLinks(page, [...links].map(([, link]) => link.replaceAll('&amp;', '&')), idsOf);
-  });
-  assert.ok(pages.length > 30, 'there are pages');
-  assert.deepEqual(dead, []);
-});
 
 test('no link between the papers leads nowhere', () => {
   const dead = papers.flatMap((paper) => {

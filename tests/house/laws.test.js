@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What must hold of every run, tried on random cases: surfaces good and bad, as arrays and as files
-// good and bad, with random options. npm run laws tries others.
+// good and bad, with random options. tests/integration/laws.test.js has more of them, and npm run
+// laws tries others.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
@@ -91,7 +92,7 @@ test('a star of 8,000 triangles around one vertex is as good as any surface', as
   }
 });
 
-const [first, last] = [179, 239];
+const [first, last] = [179, 208];
 
 /** Cases that broke a law once, one of each kind. */
 const found = [
@@ -126,8 +127,8 @@ for (const seed of seeds) {
   });
 }
 
-/** The third and sixth are rings like the fourth's, for seconds. */
-const quadsCases = [1, 2, 4, 5, 7, 8, 9, 10, 11];
+/** The second, third and sixth take seconds each. */
+const quadsCases = [1, 4, 5, 7, 8, 9, 10, 11];
 
 for (const seed of quadsCases) {
   const input = makeQuadsCase(seed);
@@ -137,7 +138,7 @@ for (const seed of quadsCases) {
 }
 
 /** The others of the first twelve take a second and more each. */
-const repairCases = [2, 6, 7, 8, 9, 11, 12];
+const repairCases = [2, 6, 11];
 
 for (const seed of repairCases) {
   const input = makeRepairCase(seed);

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Whole runs of both schemes: the edges are as long as they are asked to be, where they are asked.
 // What the sizes are made of has unit tests; here, where code is optimised, a law is asked of as
-// many counts as it takes to hold by more than luck.
+// many counts as it takes to hold by more than luck; where that takes many, it is in
+// tests/integration/package/curvature.test.js.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import { remesh } from 'remesher';
 
-import { sheetOf, signetRing, torus } from '../support/shapes.js';
+import { pillow, sheetOf, torus } from '../support/shapes.js';
 
 const schemes = /** @type {const} */ (['best', 'rounds']);
 const run = (mesh, options) => remesh(mesh, { ...options, worker: false });
@@ -16,24 +17,6 @@ const run = (mesh, options) => remesh(mesh, { ...options, worker: false });
 function* cornersOf({ positions, indices }) {
   const point = (v) => positions.subarray(3 * v, 3 * v + 3);
   for (let i = 0; i < indices.length; i += 3) yield [0, 1, 2].map((k) => point(indices[i + k]));
-}
-
-/** x⁶ + y⁶ + z⁶ = 1: a cube of flat sides whose edges and corners are rounded. */
-function pillow(cells) {
-  const [positions, indices] = [[], []];
-  for (let side = 0; side < 6; side += 1) {
-    const sheet = sheetOf(cells, (i, k) => {
-      const [u, v] = [2 * i / cells - 1, 2 * k / cells - 1];
-      const around = side < 3 ? [1, u, v] : [-1, v, u];
-      const [x, y, z] = [0, 1, 2].map((axis) => around[(axis + side) % 3]);
-      const reach = (x ** 6 + y ** 6 + z ** 6) ** (1 / 6);
-      return [x / reach, y / reach, z / reach];
-    });
-    const first = positions.length / 3;
-    positions.push(...sheet.positions);
-    indices.push(...sheet.indices.map((v) => first + v));
-  }
-  return { positions: new Float64Array(positions), indices: new Uint32Array(indices) };
 }
 
 /** A sheet of side 2, full of bumps as steep as 45°. */
@@ -99,23 +82,6 @@ for (const scheme of schemes) {
       }
     }
   });
-
-  test(`sizes that follow curvature lower the error at the same count (${scheme})`, async () => {
-    const body = pillow(32);
-    // By the seed of annealing one number gains 1.28 to 1.58 times, six together 1.38 to 1.55.
-    // Nothing is annealed in rounds, which take three times as long: each gains 1.36 to 1.51.
-    const isAnnealed = scheme === 'best';
-    const numbers = isAnnealed ? [1950, 2000, 2050, 2100, 2150, 2200] : [2000, 2100];
-    let [before, after] = [0, 0];
-    for (const vertices of numbers) {
-      const even = await run(body, { scheme, vertices, adaptivity: 0 });
-      const graded = await run(body, { scheme, vertices, adaptivity: 1 });
-      before += even.report.fidelity.rms;
-      after += graded.report.fidelity.rms;
-      assert.ok(graded.report.output.minAngle.mean >= 52);
-    }
-    assert.ok(after < before / 1.3, `${before / after} times`);
-  });
 }
 
 test('the report’s criteria keep no density from bumps smaller than triangles', async () => {
@@ -125,34 +91,6 @@ test('the report’s criteria keep no density from bumps smaller than triangles'
   // Edges of 0.045 grow to 0.135 over a way of 0.4.
   const ratio = densityRatio(mesh, 0, 0.4);
   assert.ok(ratio > 0.9 * 9 && ratio < 1.1 * 9, `${ratio}`);
-});
-
-test('sizes that follow curvature lower the largest distance, too', async () => {
-  const mesh = signetRing();
-  const found = { rms: 0, hausdorff: 0 }, plain = { rms: 0, hausdorff: 0 };
-  // The largest distance of one number gains 0.998 to 2.7 times by luck, 1.66 on average; that of
-  // six is less than 1.5 one time of ten.
-  const numbers = Array.from({ length: 12 }, (_, i) => 3000 + 25 * i);
-  for (const vertices of numbers) {
-    const even = await run(mesh, { vertices, adaptivity: 0 });
-    const adapted = await run(mesh, { vertices, adaptivity: 1 });
-    assert.ok(adapted.report.output.minAngle.mean >= 52);
-    for (const key of ['rms', 'hausdorff']) {
-      found[key] += adapted.report.fidelity[key];
-      plain[key] += even.report.fidelity[key];
-    }
-  }
-  assert.ok(plain.hausdorff / numbers.length < 0.2, 'even triangles lose no part');
-  assert.ok(found.rms < plain.rms / 1.1, `${found.rms} against ${plain.rms}`);
-  assert.ok(found.hausdorff < plain.hausdorff / 1.5, `${found.hausdorff}, ${plain.hausdorff}`);
-});
-
-test('a thin part keeps both its sides, whatever the number', async () => {
-  // Its tube, at the thinnest 1.3 % of the diagonal in radius, is six or seven edges around.
-  for (let vertices = 4395; vertices < 4520; vertices += 17) {
-    const { report } = await run(signetRing(), { vertices, adaptivity: 0 });
-    assert.ok(report.fidelity.hausdorff < 1.3 / 2, `${vertices}: ${report.fidelity.hausdorff} %`);
-  }
 });
 
 test('edges of a body without a density are as long as asked for on average', async () => {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The way of most visitors: a purpose, one number, the verdict, the download, in a large window;
-// tests/integration/small_screens.test.js has the others. What a first visit is told goes away.
+// tests/integration/page/small_screens.test.js has the others. What a first visit is told goes
+// away.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 

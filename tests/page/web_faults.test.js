@@ -2,10 +2,7 @@
 // Faults of the model that is open: those of the model before are gone, and if faults are not
 // looked for, the page says so and offers it.
 import assert from 'node:assert/strict';
-import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
-import { after, test } from 'node:test';
+import { test } from 'node:test';
 
 import { nestedBoxes } from '../support/broken_shapes.js';
 import { cancelAtOnce, drop, opened, settled, visit } from '../support/browser_page.js';
@@ -13,9 +10,6 @@ import { stl, torus } from '../support/shapes.js';
 
 const { page, complaints } = await visit(
   { hash: '#model=gear&vertices=300', unseen: true, viewport: { width: 800, height: 480 } });
-
-const scratch = mkdtempSync(join(tmpdir(), 'remesher-faults-'));
-after(() => rmSync(scratch, { recursive: true }));
 
 /** Opens boxes inside boxes, whose faults are found. */
 async function openBoxes() {
@@ -63,18 +57,5 @@ test('where the opening is cancelled, faults are looked for on request', async (
   await page.click('#seek-faults');
   await page.waitForSelector('#landmark-innerShells');
   assert.equal(await page.isVisible('#fault-note'), false);
-});
-
-test('a large model says that faults are not looked for, and from which size', async () => {
-  const path = join(scratch, 'large.stl');
-  writeFileSync(path, stl(torus({ columns: 500, rows: 301 })));
-  await page.setInputFiles('#file-input', path);
-  await opened(page, 'large.stl');
-  await page.waitForSelector('#fault-note:not([hidden])');
-  assert.match(await page.textContent('#fault-note'), /not looked for: .* more than 150,000 vert/);
-  await page.click('#seek-faults');
-  await page.waitForSelector('#fault-note', { state: 'hidden' });
-  assert.equal(await page.isVisible('#landmarks'), false, 'a torus has none');
-  await openBoxes();
   assert.deepEqual(complaints, []);
 });

@@ -1,22 +1,20 @@
 // SPDX-License-Identifier: MIT
 // What visitors may rely on: the page works without a network, from any folder, survives a lost
-// graphics card, asks before work is thrown away, and stays small.
+// graphics card, asks before work is thrown away, and stays small. What becomes of large models is
+// in tests/integration/page/web_large.test.js.
 import assert from 'node:assert/strict';
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { after, test } from 'node:test';
+import { test } from 'node:test';
 import { brotliCompressSync, constants } from 'node:zlib';
 
 import { BufferAttribute, BufferGeometry } from 'three';
 
 import { timeLeft } from '../../web/base/format.js';
 import { allCorners, thin } from '../../web/triangles/thinning.js';
-import { cancelAtOnce, drop, openPage, opened, settled, visit } from '../support/browser_page.js';
+import { drop, opened, settled, visit } from '../support/browser_page.js';
 import { builtPage } from '../support/built_page.js';
 import { objText, torus } from '../support/shape_files.js';
-import { stl, torus as ring } from '../support/shapes.js';
-import { withMemory } from '../support/small_memory.js';
 import { filesUnder, root } from '../support/tree.js';
 
 const folder = await builtPage();
@@ -24,12 +22,17 @@ const sight = { hash: '#model=gear&vertices=500', unseen: true, isKept: true,
   viewport: { width: 800, height: 480 } };
 const { site, page } = await visit(sight);
 
-const scratch = mkdtempSync(join(tmpdir(), 'remesher-trust-'));
-after(() => rmSync(scratch, { recursive: true }));
+const quality = { params: { [constants.BROTLI_PARAM_QUALITY]: 10 } };
+/** The bytes of each file that has been packed with brotli. @type {Map<string, number>} */
+const sizes = new Map();
 
 /** The bytes of some files of the page, packed with brotli. @param {string[]} files */
-const packed = (files) => files.map((file) => brotliCompressSync(readFileSync(join(folder, file)),
-  { params: { [constants.BROTLI_PARAM_QUALITY]: 10 } }).length).reduce((sum, size) => sum + size);
+function packed(files) {
+  for (const file of files.filter((other) => !sizes.has(other))) {
+    sizes.set(file, brotliCompressSync(readFileSync(join(folder, file)), quality).length);
+  }
+  return files.reduce((sum, file) => sum + sizes.get(file), 0);
+}
 
 test('a first visit loads at most 300 kB of scripts, all that there is has 340', async () => {
   const first = await site.browser.newPage({ locale: 'de-DE' });
@@ -98,33 +101,6 @@ test('in the background, without frames, the page goes on and shows its result l
     document.getElementById('canvas').dataset.triangles !== old, earlier);
 });
 
-test('where memory ends that is said, the last result stays, and the page goes on', async () => {
-  const megabytes = 20;
-  const { page: small } = await openPage(site, { ...sight,
-    wasm: withMemory(readFileSync(join(root, 'dist/remesher.wasm')), megabytes) });
-  await settled(small);
-  const refused = async () => {
-    await small.waitForSelector('#error:visible');
-    await settled(small);
-    assert.match(await small.textContent('#error'), /needs more memory than/);
-    assert.equal(await small.textContent('#model-name'), 'gear.obj');
-    assert.equal(await small.textContent('#result-count'), '500');
-    assert.equal(await small.isVisible('.takeaway'), true);
-  };
-  await small.fill('#target', '60000');
-  await small.click('form button[type=submit]');
-  await refused();
-  const large = Buffer.from(stl(ring({ columns: 1000, rows: 215 })));
-  assert.ok(large.length > megabytes * 2 ** 20, 'not even the file itself has room');
-  await small.setInputFiles('#file-input', { name: 'large.stl', mimeType: '', buffer: large });
-  await refused();
-  await small.fill('#target', '400');
-  await small.click('form button[type=submit]');
-  await small.waitForSelector('#result-count:text-is("400")');
-  assert.equal(await small.isVisible('#error'), false);
-  await small.close();
-});
-
 test('leaving asks when a result of one’s own file was not taken home', async () => {
   const asks = () => page.evaluate(() => {
     const event = new Event('beforeunload', { cancelable: true });
@@ -139,18 +115,6 @@ test('leaving asks when a result of one’s own file was not taken home', async 
     page.click('.takeaway button:text-is("GLB")')]);
   await settled(page);
   assert.equal(await asks(), false, 'it was taken home');
-});
-
-test('of a million triangles and more a part is drawn, and said so; none is lost', async () => {
-  const path = join(scratch, 'large.stl');
-  writeFileSync(path, stl(ring({ columns: 1250, rows: 410 })));
-  await cancelAtOnce(page);
-  await page.setInputFiles('#file-input', path);
-  await opened(page, 'large.stl');
-  assert.match(await page.textContent('#left-thinned'),
-    /^9\d\d,\d{3} of 1,025,000 triangles drawn$/);
-  assert.match(await page.textContent('#model-facts'), /1,025,000 triangles/);
-  assert.equal(await page.getAttribute('#wireframe', 'aria-pressed'), 'false');
 });
 
 test('what is drawn is a part of the triangles, spread over all of them', async () => {

@@ -136,3 +136,21 @@ export function eulerCharacteristic({ positions, indices }) {
   }
   return positions.length / 3 - edges.size + indices.length / 3;
 }
+
+/** x⁶ + y⁶ + z⁶ = 1: a cube of flat sides whose edges and corners are rounded. */
+export function pillow(cells) {
+  const [positions, indices] = [[], []];
+  for (let side = 0; side < 6; side += 1) {
+    const flat = sheetOf(cells, (i, k) => {
+      const [u, v] = [2 * i / cells - 1, 2 * k / cells - 1];
+      const around = side < 3 ? [1, u, v] : [-1, v, u];
+      const [x, y, z] = [0, 1, 2].map((axis) => around[(axis + side) % 3]);
+      const reach = (x ** 6 + y ** 6 + z ** 6) ** (1 / 6);
+      return [x / reach, y / reach, z / reach];
+    });
+    const first = positions.length / 3;
+    positions.push(...flat.positions);
+    indices.push(...flat.indices.map((v) => first + v));
+  }
+  return { positions: new Float64Array(positions), indices: new Uint32Array(indices) };
+}

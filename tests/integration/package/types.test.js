@@ -11,8 +11,8 @@ import {
   bakeNames, defaultOf, inJavaScript, optionTable, rangeInWords, repairNames,
 } from 'remesher/options';
 
-import { Editor } from '../support/editor.js';
-import { readText, root } from '../support/tree.js';
+import { Editor } from '../../support/editor.js';
+import { readText, root } from '../../support/tree.js';
 
 /** Each function's parameters and what it gives, as a program would have to know them. */
 const functions = {
@@ -130,10 +130,10 @@ const settings = {
 
 test('Node and browsers are given the same functions', async () => {
   const [inNode, inBrowsers] = await Promise.all(
-    [import('remesher'), import('../../dist/index.js')]);
+    [import('remesher'), import('../../../dist/index.js')]);
   assert.deepEqual(Object.keys(inNode), Object.keys(inBrowsers));
   assert.deepEqual(Object.keys(inNode).sort(), [...Object.keys(functions), 'RemeshError'].sort());
-  const arrays = await Promise.all([import('remesher/arrays'), import('../../dist/arrays.js')]);
+  const arrays = await Promise.all([import('remesher/arrays'), import('../../../dist/arrays.js')]);
   assert.deepEqual(...arrays.map((module) => Object.keys(module)));
   assert.deepEqual(Object.keys(arrays[0]).filter((name) => !(name in inNode)), []);
 });

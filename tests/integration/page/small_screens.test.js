@@ -3,8 +3,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { visit } from '../support/browser_page.js';
-import { eachPurpose } from '../support/doors.js';
+import { visit } from '../../support/browser_page.js';
+import { eachPurpose } from '../../support/doors.js';
 
 const { page, complaints } = await visit({ hash: '#model=gear&vertices=300', isFirst: true,
   unseen: true, viewport: { width: 1440, height: 900 } });

@@ -11,14 +11,14 @@ import { remesh } from 'remesher/gltf-transform';
 
 import {
   addChart, columns, layOut, narrow, rows, texels, wide,
-} from '../support/atlas_torus.js';
-import { openContainer, packGlb } from '../../bindings/package/codecs/gltf_container.js';
-import { GltfMaker } from '../support/gltf.js';
-import { lookAlikes } from '../support/look_alikes.js';
-import { openGallery } from '../support/pictures.js';
-import { png } from '../support/png.js';
-import { simplified } from '../support/simplified.js';
-import { skinnedTorus } from '../support/skinned_torus.js';
+} from '../../support/atlas_torus.js';
+import { openContainer, packGlb } from '../../../bindings/package/codecs/gltf_container.js';
+import { GltfMaker } from '../../support/gltf.js';
+import { lookAlikes } from '../../support/look_alikes.js';
+import { openGallery } from '../../support/pictures.js';
+import { png } from '../../support/png.js';
+import { simplified } from '../../support/simplified.js';
+import { skinnedTorus } from '../../support/skinned_torus.js';
 
 const strange = [255, 0, 255];
 

@@ -4,8 +4,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { drop, opened, saved, settled, visit } from '../support/browser_page.js';
-import { objText, torus } from '../support/shape_files.js';
+import { drop, opened, saved, settled, visit } from '../../support/browser_page.js';
+import { objText, torus } from '../../support/shape_files.js';
 
 const { page, complaints } = await visit(
   { hash: '#model=bunny&vertices=800', unseen: true, viewport: { width: 800, height: 480 } });

@@ -12,12 +12,12 @@ import { decode } from 'fast-png';
 import { unzipSync } from 'fflate';
 import { inspect } from 'remesher';
 
-import { drop, opened, saved, settled, visit } from '../support/browser_page.js';
-import { builtPage } from '../support/built_page.js';
-import { GltfMaker, validate } from '../support/gltf.js';
-import { png } from '../support/png.js';
-import { objText, torus } from '../support/shape_files.js';
-import { root } from '../support/tree.js';
+import { drop, opened, saved, settled, visit } from '../../support/browser_page.js';
+import { builtPage } from '../../support/built_page.js';
+import { GltfMaker, validate } from '../../support/gltf.js';
+import { png } from '../../support/png.js';
+import { objText, torus } from '../../support/shape_files.js';
+import { root } from '../../support/tree.js';
 
 const size = { width: 800, height: 480 };
 const button = (name) => `.takeaway button:text-is("${name}")`;

@@ -7,8 +7,8 @@ import { test } from 'node:test';
 
 import { unzipSync, zipSync } from 'fflate';
 
-import { cancelAtOnce, drop, opened, saved, settled, visit } from '../support/browser_page.js';
-import { gltfParts, objText, torus } from '../support/shape_files.js';
+import { cancelAtOnce, drop, opened, saved, settled, visit } from '../../support/browser_page.js';
+import { gltfParts, objText, torus } from '../../support/shape_files.js';
 
 const ring = objText(torus(16, 8));
 const text = (content) => new TextEncoder().encode(content);

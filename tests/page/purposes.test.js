@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// What purposes and presets ask for, and the units of their numbers.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { ownChoices, presets, withPreset } from '../../web/model/presets.js';
+import { dialOf, firstDial, purposes, valuesFor } from '../../web/model/purposes.js';
+import { roundLength, scaleOf } from '../../web/model/units.js';
+
+test('a preset keeps the visitor’s own target, and not that of a purpose', () => {
+  const choices = [{ vertices: 500 }, { ratio: 0.5 }, { edgeLength: 2, textures: 'keep' },
+    { vertices: 70, textures: 'bake', textureSize: 64 }];
+  const subject = { triangles: 996, diagonal: 3, unit: 1, isBaked: true, isPaintable: true };
+  for (const preset of presets) {
+    for (const own of choices) {
+      assert.deepEqual(withPreset(preset, own), { ...own, ...preset.values });
+      for (const purpose of purposes) {
+        const values = valuesFor(purpose, firstDial(purpose, subject), subject);
+        assert.deepEqual(ownChoices(values, own), own, purpose);
+      }
+    }
+  }
+});
+
+test('the number of a purpose is what it was set to, in the visitor’s unit', () => {
+  const subject = { triangles: 9996, diagonal: 0.094, unit: 0.001,
+    isBaked: false, isPaintable: true };
+  for (const purpose of purposes) {
+    for (const dial of [firstDial(purpose, subject), 300]) {
+      const values = valuesFor(purpose, dial, subject, { isRepairOnly: false });
+      assert.ok(Math.abs(dialOf(values, subject) / dial - 1) < 0.01, `${purpose} ${dial}`);
+    }
+  }
+  assert.equal(firstDial('print', subject), 0.1);  // millimetres, of 94
+  assert.equal(firstDial('simulation', subject), 1);
+  assert.equal(firstDial('asset', subject), 2000);
+  assert.equal(firstDial('asset', { ...subject, triangles: 3e6 }), 20_000);
+  assert.equal(firstDial('asset', { ...subject, triangles: 12 }), 12);
+  assert.deepEqual(valuesFor('print', 0.1, subject),
+    { purpose: 'print', work: 'repair', repair: 'auto' });
+  assert.equal(valuesFor('asset', 100, { ...subject, isBaked: true }).textures, 'bake');
+  assert.deepEqual([0.0013, 0.9, 34, 8].map(roundLength), [0.001, 1, 50, 10]);
+  assert.deepEqual(scaleOf(null, 0.1), { name: 'mm', size: 0.001 });
+  assert.deepEqual(scaleOf(null, 40), { name: 'm', size: 1 });
+  assert.deepEqual(scaleOf('in', 40), { name: 'in', size: 1 });
+});
