@@ -179,6 +179,24 @@ val writtenDrop(const DropReport& dropped) {
   return result;
 }
 
+val writtenWanted(const WantedReport& wanted) {
+  val result = val::object();
+  const auto add = [&](const char* name, const std::optional<WantedFigure>& figure) {
+    if (!figure) return;
+    val one = val::object();
+    one.set("asked", figure->asked);
+    one.set("worst", figure->worst);
+    one.set("missed", double(figure->missed));
+    one.set("kept", figure->kept);
+    if (figure->at) one.set("at", coordinatesOf({*figure->at}));
+    result.set(name, one);
+  };
+  add("minEdge", wanted.minEdge);
+  add("maxEdge", wanted.maxEdge);
+  add("minAngle", wanted.minAngle);
+  return result;
+}
+
 val writtenAtlas(const AtlasReport& atlas) {
   val result = val::object();
   result.set("size", double(atlas.size));
@@ -303,6 +321,7 @@ EMSCRIPTEN_BINDINGS(remesher_whole) {
   repairInJs = &writtenRepair;
   droppedInJs = &writtenDrop;
   atlasInJs = &writtenAtlas;
+  wantedInJs = &writtenWanted;
   emscripten::function("repair", &repairArrays);
   emscripten::function("remeshFile", &remeshBytes);
   emscripten::function("repairFile", &repairBytes);

@@ -41,6 +41,10 @@ void forEachOption(Options& options, const Visit& visit) {
 template <class Options, class Visit>
 void forEachWholeOption(Options& options, const Visit& visit) {
   visit("exact", options.exact);
+  visit("minEdge", options.minEdge);
+  visit("maxEdge", options.maxEdge);
+  visit("minAngle", options.minAngle);
+  visit("region", options.region);
   visit("symmetry", options.symmetry);
   visit("textureSize", options.textureSize);
   visit("textureFormat", options.textureFormat);

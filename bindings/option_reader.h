@@ -53,6 +53,9 @@ struct OptionReader {
   static void read(const emscripten::val& value, std::vector<double>& field) {
     field = copied<double>(value);
   }
+  static void read(const emscripten::val& value, std::vector<Index>& field) {
+    field = copied<Index>(value);
+  }
   static void read(const emscripten::val& value, std::vector<float>& field) {
     field = copied<float>(value);
   }

@@ -17,6 +17,7 @@ using emscripten::val;
 val (*repairInJs)(const RepairReport& repair) = nullptr;
 val (*droppedInJs)(const DropReport& dropped) = nullptr;
 val (*atlasInJs)(const AtlasReport& atlas) = nullptr;
+val (*wantedInJs)(const WantedReport& wanted) = nullptr;
 
 namespace {
 
@@ -73,6 +74,7 @@ val objectFrom(const MeshReport& mesh) {
   result.set("maxAngle", mesh.maxAngle);
   result.set("valence6", mesh.valence6);
   if (mesh.quads) result.set("quads", objectFrom(*mesh.quads));
+  if (mesh.wanted && wantedInJs) result.set("wanted", wantedInJs(*mesh.wanted));
   return result;
 }
 

@@ -28,5 +28,6 @@ emscripten::val objectFrom(const Report& report);
 extern emscripten::val (*repairInJs)(const RepairReport& repair);
 extern emscripten::val (*droppedInJs)(const DropReport& dropped);
 extern emscripten::val (*atlasInJs)(const AtlasReport& atlas);
+extern emscripten::val (*wantedInJs)(const WantedReport& wanted);
 
 }  // namespace remesher

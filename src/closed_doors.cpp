@@ -4,12 +4,15 @@
 // needs.
 #include "base/error.h"
 #include "jobs/checks/quad_checks.h"
+#include "jobs/checks/wanted_check.h"
 #include "jobs/checks/whole_steps.h"
 #include "jobs/dropping.h"
 #include "jobs/part_repair.h"
 #include "jobs/pixel_levels.h"
+#include "jobs/region_run.h"
 #include "remesh/quads/quads.h"
 #include "remesh/schemes/quads_door.h"
+#include "remesh/steps/wanted.h"
 
 namespace remesher {
 namespace {
@@ -37,6 +40,22 @@ bool isSound(const TriangleMesh&) { refuse("Repair"); }
 std::vector<Warning> bordersOffGiven(const std::vector<io::Part>&, const std::vector<io::Part>&) {
   return {};
 }
+
+void keepWanted(Run&, const WantedLimits&, Number) { refuse("Limits of every edge"); }
+Unmet unmetOf(const Run&, const WantedLimits&) { return {}; }
+std::optional<WantedReport> wantedOf(const std::vector<io::Part>&, const RemeshOptions&) {
+  return {};
+}
+std::vector<Warning> wantedMissed(const MeshReport&, const std::vector<io::Part>&,
+                                  const RemeshOptions&, const Unmet&) {
+  return {};
+}
+
+RegionRun::RegionRun(std::vector<io::Part>&, const RemeshOptions& options) {
+  if (!options.region.empty()) refuse("A region");
+}
+RemeshOptions RegionRun::applied(RemeshOptions options) const { return options; }
+void RegionRun::finish(std::vector<SceneRun>&) const {}
 
 std::vector<Warning> pairedParts(const QuadReport&, const std::vector<io::Part>&) { return {}; }
 

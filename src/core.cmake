@@ -361,10 +361,13 @@ set(small
 )
 set(doors
   src/jobs/checks/quad_checks.cpp
+  src/jobs/checks/wanted_check.cpp
   src/jobs/checks/whole_steps.cpp
   src/jobs/dropping.cpp
   src/jobs/part_repair.cpp
   src/jobs/pixel_levels.cpp
+  src/jobs/region_run.cpp
   src/remesh/quads/quads.cpp
   src/remesh/schemes/quads_door.cpp
+  src/remesh/steps/wanted.cpp
 )

@@ -15,6 +15,7 @@
 #include "jobs/parts/part_lengths.h"
 #include "jobs/parts/part_report.h"
 #include "jobs/parts/quad_diagonals.h"
+#include "jobs/region_run.h"
 #include "jobs/run_guards.h"
 #include "jobs/scene_run.h"
 #include "jobs/thinned_parts.h"
@@ -70,16 +71,20 @@ RemeshSceneResult remeshScene(std::vector<PlacedMesh> scene, const RemeshOptions
     parts.back().finer = std::move(placed.finer);
     if (asked.textures == Textures::Drop) dropTexcoords(parts.back().mesh);
   }
-  const RemeshOptions options = withPercents(asked, parts);
+  const RemeshOptions inPercent = withPercents(asked, parts);
+  const RegionRun region(parts, inPercent);
+  const RemeshOptions options = region.applied(inPercent);
   parts = joinedPlaces(std::move(parts), options);
   if (options.quads) parts = cutAlongShorter(std::move(parts));
   const std::vector<Warning> settled = settleAttributes(parts);
-  const Progress whole = progress.timedBy(clock);
+  const Progress stretch = progress.timedBy(clock);
   const double mended = mendShare(options);
-  const Mending mending(parts, options, whole.part(0, mended));
-  std::vector<SceneRun> runs =
-      remeshLevels(parts, Held::Apart, mending.chosen(options), whole.part(mended, 1));
+  const Mending mending(parts, options, stretch.part(0, mended));
+  std::vector<SceneRun> runs = region.within([&] {
+    return remeshLevels(parts, Held::Apart, mending.chosen(options), stretch.part(mended, 1));
+  });
   mending.note(runs.front().report);
+  region.finish(runs);
   runs.front().report.warnings = joined(settled, runs.front().report.warnings);
   std::vector<std::vector<TriangleMesh>> levels;
   for (SceneRun& run : runs) {
@@ -118,7 +123,9 @@ RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
   io::Model model = readFor(outputName, input, asked);
   input.file.bytes = {};
   input.resources = {};
-  const RemeshOptions options = withPercents(asked, model.parts);
+  const RemeshOptions inPercent = withPercents(asked, model.parts);
+  const RegionRun region(model.parts, inPercent);
+  const RemeshOptions options = region.applied(inPercent);
   model.isExact = options.repair != Repair::Off;
   if (options.unite)
     io::uniteAll(model, outputName);
@@ -145,9 +152,11 @@ RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
                         {given.empty() ? given : mending.kept(given), std::move(input.pictures)},
                         chosen, body);
     else
-      all = remeshLevels(model.parts, heldIn(outputName), chosen, body);
+      all = region.within(
+          [&] { return remeshLevels(model.parts, heldIn(outputName), chosen, body); });
     mending.note(all.front().report);
     thinned.note(all);
+    region.finish(all);
     return all;
   });
   whole.phase("write", 1, 1);

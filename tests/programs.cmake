@@ -53,6 +53,7 @@ add_executable(unit_tests
   tests/unit/jobs/checks/precision_test.cpp
   tests/unit/jobs/checks/quad_checks_test.cpp
   tests/unit/jobs/checks/result_check_test.cpp
+  tests/unit/jobs/checks/wanted_check_test.cpp
   tests/unit/jobs/checks/whole_steps_test.cpp
   tests/unit/jobs/dropping_test.cpp
   tests/unit/jobs/face_budget_test.cpp
@@ -71,6 +72,7 @@ add_executable(unit_tests
   tests/unit/jobs/parts/part_unions_test.cpp
   tests/unit/jobs/parts/quad_diagonals_test.cpp
   tests/unit/jobs/pixel_levels_test.cpp
+  tests/unit/jobs/region_run_test.cpp
   tests/unit/jobs/thinned_parts_test.cpp
   tests/unit/main.cpp
   tests/unit/measure/edge_report_test.cpp
@@ -180,6 +182,7 @@ add_executable(unit_tests
   tests/unit/remesh/steps/relax_test.cpp
   tests/unit/remesh/steps/subdivide_test.cpp
   tests/unit/remesh/steps/sweeps_test.cpp
+  tests/unit/remesh/steps/wanted_test.cpp
   tests/unit/remesh/symmetry/forced_planes_test.cpp
   tests/unit/remesh/symmetry/half_test.cpp
   tests/unit/remesh/symmetry/mirror_planes_test.cpp

@@ -17,6 +17,7 @@ const plainTypes = {
   choice: 'string',
   shares: 'readonly number[] | Float64Array | readonly `${number}px`[]',
   floats: 'Float32Array',
+  indices: 'Uint32Array | readonly number[]',
   pairs: 'Uint32Array | ReadonlyArray<readonly [number, number]>',
 };
 

@@ -9,6 +9,7 @@ namespace remesher {
 namespace {
 
 constexpr std::array kDiagnostics = {
+    Diagnostic{"ANGLES_TOO_SMALL", Severity::Loss},
     Diagnostic{"ANGLES_WORSE", Severity::Fault},
     Diagnostic{"ATTRIBUTE_HAS_NO_CHARTS", Severity::Loss},
     Diagnostic{"ATTRIBUTE_NOT_CARRIED", Severity::Loss},
@@ -19,6 +20,8 @@ constexpr std::array kDiagnostics = {
     Diagnostic{"DEGENERATE_TRIANGLES_MADE", Severity::Fault},
     Diagnostic{"DEGENERATE_TRIANGLES_REMOVED", Severity::Note},
     Diagnostic{"DUPLICATE_TRIANGLES_REMOVED", Severity::Note},
+    Diagnostic{"EDGES_TOO_LONG", Severity::Loss},
+    Diagnostic{"EDGES_TOO_SHORT", Severity::Loss},
     Diagnostic{"ELEMENTS_LEFT_OUT", Severity::Loss},
     Diagnostic{"EXTENSION_NOT_CARRIED", Severity::Loss},
     Diagnostic{"HIDDEN_BODIES_REMOVED", Severity::Note},

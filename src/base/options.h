@@ -75,6 +75,8 @@ struct RemeshOptions {
   Quality quality = Quality::Best;
   Projection projection = Projection::Patches;
   std::optional<Fidelity> fidelity;
+  // Wanted of every edge, lengths, and of every triangle's angles, degrees.
+  std::optional<double> minEdge, maxEdge, minAngle;
   double vertexAngle = 20;    // θ1
   double triangleAngle = 20;  // θ2
   bool splitObtuse = false;
@@ -87,6 +89,7 @@ struct RemeshOptions {
   std::optional<double> weld;                         // likewise; nearer places become one
   std::vector<float> density;                         // per input vertex, relative; empty: even
   std::vector<std::pair<Index, Index>> featureEdges;  // the caller's, as input vertex pairs
+  std::vector<Index> region;                          // triangles to remesh; empty: all
   bool quads = false;                                 // pure quads instead of triangles
   bool exact = false;                                 // of quads: exactly so many vertices
   Symmetry symmetry = Symmetry::Auto;
@@ -121,5 +124,23 @@ struct RemeshOptions {
   Mirrors mirrors;                // of quads: the input is a half, cut off along these planes
   std::optional<double> spacing;  // wished for repair's lattice; else from the mesh itself
 };
+
+// Whether a number of vertices is asked for, by itself or by a mean length of edges.
+inline bool asksForNumber(const RemeshOptions& options) {
+  return options.vertices || options.faces || options.ratio || options.edgeLength;
+}
+
+// Whether something is wanted of every edge or triangle.
+inline bool wantsOfEach(const RemeshOptions& options) {
+  return options.minEdge || options.maxEdge || options.minAngle;
+}
+
+// Edges of a finished mesh are about this many times as long as their target at most, or as short.
+inline constexpr double kLongestOfSize = 1.3, kShortestOfSize = 0.75;
+
+// Whether the lengths wanted of edges lead to the number of vertices.
+inline bool leadsByEdges(const RemeshOptions& options) {
+  return (options.minEdge || options.maxEdge) && !asksForNumber(options);
+}
 
 }  // namespace remesher

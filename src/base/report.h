@@ -60,6 +60,19 @@ struct QuadReport {
   std::vector<PairedPart> paired = {};
 };
 
+// What came of a limit that was wanted of every edge or triangle: lengths in the world's units,
+// angles in degrees.
+struct WantedFigure {
+  double asked = 0, worst = 0;
+  std::size_t missed = 0;       // edges or triangles
+  double kept = 100;            // percent of the edges or triangles
+  std::optional<Vec3> at = {};  // the place of the worst, if any missed it
+};
+
+struct WantedReport {
+  std::optional<WantedFigure> minEdge, maxEdge, minAngle;
+};
+
 struct MeshReport {
   std::size_t vertices = 0;  // distinct positions
   std::size_t triangles = 0;
@@ -69,10 +82,11 @@ struct MeshReport {
   long eulerCharacteristic = 0;
   std::size_t degenerateTriangles = 0;
   AngleStatistics minAngle;
-  double maxAngle = 0;              // the largest angle of any triangle
-  double valence6 = 0;              // percent of the interior vertices
-  std::optional<QuadReport> quads;  // only for a mesh of quads
-  double diagonal = 0;              // of the box in the world; of what goes in only
+  double maxAngle = 0;                 // the largest angle of any triangle
+  double valence6 = 0;                 // percent of the interior vertices
+  std::optional<QuadReport> quads;     // only for a mesh of quads
+  std::optional<WantedReport> wanted;  // only of a result of which something was wanted
+  double diagonal = 0;                 // of the box in the world; of what goes in only
 };
 
 // Two-sided distance between the result and the original, percent of the original's diagonal.

@@ -202,7 +202,7 @@ class FewestSearch {
 }  // namespace
 
 bool hasNumber(const RemeshOptions& options) {
-  return options.vertices || options.faces || options.ratio || options.edgeLength;
+  return asksForNumber(options) || leadsByEdges(options);
 }
 
 bool asksForFewest(const RemeshOptions& options) {

@@ -46,7 +46,7 @@ std::vector<char> withoutEmpty(std::vector<io::Part>& parts) {
 
 // Whether the number of vertices depends on the input's number.
 bool isByInput(const RemeshOptions& options) {
-  return !options.vertices && !options.faces && !options.edgeLength &&
+  return !options.vertices && !options.faces && !options.edgeLength && !leadsByEdges(options) &&
          (options.ratio || !options.maxError);
 }
 

@@ -49,12 +49,12 @@ std::vector<Index> crossingsOf(const TriangleMesh& original, const RemeshOutcome
   return crossingsMade(original, inPrecisionOf(original, outcome.mesh).mesh);
 }
 
-// Whether a result without self-intersections may replace one that has some: it has as many
-// vertices, is hardly farther away, and its triangles are of another kind or hardly worse.
+// Whether a result without self-intersections may replace one that has some: it is hardly farther
+// away, and its triangles are of another kind or hardly worse.
 bool mayReplace(const TriangleMesh& original, const RemeshOutcome& crossed,
                 const RemeshOutcome& other) {
   constexpr double kFarther = 1.5, kWorse = 5;  // times as far, degrees on average
-  if (other.vertices != crossed.vertices || other.stopped != crossed.stopped) return false;
+  if (other.stopped != crossed.stopped) return false;
   if (!crossingsOf(original, other).empty()) return false;
   const auto measured = [&](const RemeshOutcome& outcome) {
     return measureDeviation(original, outcome.mesh, Maximum::Sampled);
@@ -110,7 +110,8 @@ UncrossedOutcome uncrossedAsShown(const ShownMesh& part, const PartTarget& targe
   const auto isReplacedBy = [&](Run run, Prefer prefer) {
     options.prefer = prefer;
     other = runOn({part.mesh, Welding(part.mesh), part.place}, run, options, progress);
-    return mayReplace(part.mesh, made, other);
+    const bool isOfNumber = other.vertices == made.vertices || leadsByEdges(options);
+    return isOfNumber && mayReplace(part.mesh, made, other);
   };
   const Prefer asked = options.prefer;
   const Rule& rule = choose(Decision::Crossings, [&](Fact fact) {

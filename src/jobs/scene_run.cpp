@@ -10,6 +10,7 @@
 #include "jobs/checks/crossing_check.h"
 #include "jobs/checks/quad_checks.h"
 #include "jobs/checks/result_check.h"
+#include "jobs/checks/wanted_check.h"
 #include "jobs/face_budget.h"
 #include "jobs/fewest_vertices.h"
 #include "jobs/inspected_parts.h"
@@ -57,6 +58,7 @@ void take(SceneRun& run, std::size_t part, RemeshOutcome& outcome, RoundedMesh r
   run.report.chosen[part] = outcome.chosen;
   run.mirrors += outcome.mirrors.size();
   run.quadParts += outcome.quadParts;
+  run.unmet.add(outcome.unmet);
 }
 
 // Keeps a part that is no surface.
@@ -178,6 +180,13 @@ void warnOf(Report& report, const PartPairs& parts, const MadeCrossings& crossin
         joined(std::move(report.warnings), pairedParts(*report.output->quads, parts.results));
 }
 
+// Measures what was wanted of each edge and triangle, and warns where it is not so.
+void certify(SceneRun& run, const std::vector<io::Part>& results, const RemeshOptions& wanted) {
+  run.report.output->wanted = wantedOf(results, wanted);
+  run.report.warnings = joined(std::move(run.report.warnings),
+                               wantedMissed(*run.report.output, results, wanted, run.unmet));
+}
+
 // Describes several parts as the one surface that they are in the file.
 void describeAsOne(SceneRun& run, const InspectedParts& originals, const RemeshOptions& wanted) {
   const std::vector<io::Part> given = asHeld(originals.given(), Held::AsOne);
@@ -188,6 +197,7 @@ void describeAsOne(SceneRun& run, const InspectedParts& originals, const RemeshO
   const PartPairs parts = {given, made, places};
   const std::vector<Index> crossings = crossingsMade(given.front().mesh, made.front().mesh);
   warnOf(run.report, parts, crossingsMade(parts, {crossings}), wanted);
+  certify(run, made, wanted);
 }
 
 SceneRun remeshInspected(const SceneInput& input, const RemeshOptions& wanted,
@@ -209,6 +219,7 @@ SceneRun remeshInspected(const SceneInput& input, const RemeshOptions& wanted,
       crossingsMade({originals.parts(), run.parts, originals.places()}, run.crossings);
   run.parts = originals.undone(std::move(run.parts));
   warnOf(run.report, {originals.given(), run.parts, originals.places()}, crossings, wanted);
+  certify(run, run.parts, wanted);
   return run;
 }
 

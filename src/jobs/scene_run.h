@@ -22,6 +22,7 @@ struct SceneRun {
   Report report;
   std::size_t mirrors = 0, quadParts = 0;  // of all parts; see RemeshOutcome
   std::vector<PairedPart> paired;          // likewise
+  Unmet unmet;                             // likewise
 };
 
 // How a file of this name holds parts.

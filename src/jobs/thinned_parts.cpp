@@ -24,7 +24,8 @@ constexpr std::size_t kMostSamples = 2'000'000;
 bool allowsThinning(const RemeshOptions& options) {
   const bool isBound = options.maxError || options.lengths.maxError || options.fidelity ||
                        options.projection == Projection::Current;
-  const bool isNumbered = !options.density.empty() || !options.featureEdges.empty();
+  const bool isNumbered = !options.density.empty() || !options.featureEdges.empty() ||
+                          !options.region.empty() || wantsOfEach(options);
   const bool isMended = options.repair != Repair::Off || options.dropBelow ||
                         options.lengths.dropBelow || options.dropFloaters || options.dropHidden;
   return options.scheme == Scheme::Best && !isBound && !isNumbered && !isMended && !options.quads &&

@@ -77,7 +77,8 @@ Grid gridFor(const Extent& extent, const RemeshOptions& options, InsideBy by) {
 
 // Remeshing to a number or an edge length replaces the triangles anyway.
 Cleaning cleaningFor(const RemeshOptions& options) {
-  const bool isRemeshed = options.vertices || options.ratio || options.edgeLength;
+  const bool isRemeshed =
+      options.vertices || options.ratio || options.edgeLength || leadsByEdges(options);
   return isRemeshed ? Cleaning::None : Cleaning::Thorough;
 }
 
@@ -95,6 +96,7 @@ double wishedSpacing(const Extent& extent, const RemeshOptions& options) {
   if (options.vertices)
     edge = std::sqrt(2 / std::sqrt(3.0) * extent.area / double(*options.vertices));
   if (options.edgeLength) edge = *options.edgeLength;
+  if (options.maxEdge && leadsByEdges(options)) edge = *options.maxEdge / kLongestOfSize;
   return edge / 2;
 }
 

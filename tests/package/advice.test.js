@@ -203,6 +203,10 @@ const advice = [
     inFile(bytesOf(gmshText({ isSolid: true })), mesh({ name: 'a.msh', vertices: 4 })),
     /only surfaces/, inFile(bytesOf(gmshText()), mesh({ name: 'a.msh', vertices: 4 }))],
   ['ANGLES_WORSE', inArrays({ vertices: 5 }), /More vertices help/, inArrays({ vertices: 300 })],
+  ['EDGES_TOO_LONG', inArrays({ vertices: 60, maxEdge: 0.4 }), /about (\d+) would/,
+    (words) => remesh(ball, { vertices: Math.round(1.2 * words[1]), maxEdge: 0.4 })],
+  ['EDGES_TOO_SHORT', inArrays({ vertices: 800, minEdge: 0.5 }), /about (\d+) would/,
+    (words) => remesh(ball, { vertices: Math.round(words[1] / 1.2), minEdge: 0.5 })],
   ['INVALID_MESH', () => {
     const positions = ball.positions.slice();
     structuredClone(positions, { transfer: [positions.buffer] });
@@ -231,7 +235,8 @@ const others = ['INTERNAL', 'CANCELLED',
   'RIMS_LEFT_OPEN', 'RIMS_NOT_KEPT', 'SHAPE_NOT_PREFERRED', 'SHEETS_MADE_BODIES',
   'SHEETS_NOT_MADE_BODIES', 'TOO_FEW_FACES',
   'IMAGES_NOT_FITTING', 'TEXCOORDS_REPLACED', 'TEXELS_NOT_FOUND', // tests/package/bake.test.js
-  ...['ATTRIBUTE_HAS_NO_CHARTS', 'ATTRIBUTE_NOT_CARRIED', 'BACK_TO_BACK_TRIANGLES_REMOVED',
+  ...['ANGLES_TOO_SMALL', 'ATTRIBUTE_HAS_NO_CHARTS', 'ATTRIBUTE_NOT_CARRIED',
+    'BACK_TO_BACK_TRIANGLES_REMOVED',
     'CAVITIES_FILLED', 'CROSSINGS_LEFT', 'DEGENERATE_TRIANGLES_MADE',
     'DEGENERATE_TRIANGLES_REMOVED', 'DUPLICATE_TRIANGLES_REMOVED', 'EXTENSION_NOT_CARRIED',
     'HIDDEN_BODIES_REMOVED', 'HOLES_LEFT_OPEN',

@@ -108,6 +108,7 @@ function sample({ type, choices, default: standard, min = 1 }, wanted = true) {
   if (type === 'choice') return choices.find((choice) => choice !== standard);
   if (type === 'shares') return [0.5];
   if (type === 'floats') return new Float32Array(1);
+  if (type === 'indices') return [0];
   return type === 'pairs' ? [[0, 1]] : Math.max(min, 1);
 }
 

@@ -80,7 +80,7 @@ const unitMissing = (name, text) => new RemeshError('INVALID_OPTION',
   'Say it: --units mm, cm, m or in.');
 
 /** The options that are lengths in the core itself; the others are in percent of the diagonal. */
-const plainLengths = ['edgeLength', 'thickness'];
+const plainLengths = ['edgeLength', 'minEdge', 'maxEdge', 'thickness'];
 
 /**
  * The options as the core takes them: lengths in the model's units, those in place of a percentage

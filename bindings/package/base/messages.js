@@ -146,6 +146,24 @@
  * @property {number} maxAngle The largest angle of all, degrees.
  * @property {number} valence6 Percent of the interior vertices with six neighbours.
  * @property {QuadReport} [quads] Only for a mesh of quads alone.
+ * @property {Wanted} [wanted] Of a result, if `minEdge`, `maxEdge` or `minAngle` was given.
+ */
+
+/**
+ * What came of a limit of every edge or triangle, measured on the result as it is written.
+ * @typedef {object} WantedFigure
+ * @property {number} asked The limit: a length in the world’s units, or degrees.
+ * @property {number} worst The shortest or longest edge, or the smallest angle.
+ * @property {number} missed Edges or triangles that do not keep it.
+ * @property {number} kept Percent of the edges or triangles that do.
+ * @property {[number, number, number]} [at] The place of the worst, if any does not.
+ */
+
+/**
+ * @typedef {object} Wanted
+ * @property {WantedFigure} [minEdge] If it was given.
+ * @property {WantedFigure} [maxEdge] If it was given.
+ * @property {WantedFigure} [minAngle] If it was given.
  */
 
 /**

@@ -26,7 +26,8 @@ export { bakeNames, repairNames, targetNames, unwrapNames } from './option_lists
  * @property {string} name Its name in JavaScript.
  * @property {string} [flag] Its name on the command line, with a letter for its value.
  * @property {string} [alias] Another name on the command line.
- * @property {'integer' | 'number' | 'choice' | 'boolean' | 'shares' | 'floats' | 'pairs'} type
+ * @property {'integer' | 'number' | 'choice' | 'boolean' | 'shares' | 'floats' | 'pairs' |
+ *   'indices'} type
  *   The type of its value.
  * @property {string} help What it is for.
  * @property {string} [unit] The unit of its value.
@@ -43,6 +44,12 @@ export { bakeNames, repairNames, targetNames, unwrapNames } from './option_lists
  * @property {DefaultValue | { best: DefaultValue, rounds: DefaultValue }} [default] The value that
  *   holds when it is not given.
  */
+
+/** What limits of every edge and triangle exclude. */
+const ofIsotropic = { others: { quads: /** @type {const} */ ([true]),
+  scheme: /** @type {const} */ (['rounds']), prefer: /** @type {const} */ (['shape']),
+  splitObtuse: /** @type {const} */ ([true]), lods: /** @type {const} */ (true) },
+why: 'the limits are of isotropic triangles of one level, of the scheme best' };
 
 /** The table of options. @type {readonly Option[]} */
 export const optionTable = [
@@ -64,6 +71,16 @@ export const optionTable = [
     help: 'the number of vertices as a share of the input’s' },
   { name: 'edgeLength', flag: '--edge-length L', type: 'number', above: 0, unit: 'model units',
     help: 'the number of vertices from a mean edge length' },
+  { name: 'minEdge', flag: '--min-edge L', type: 'number', above: 0, unit: 'model units',
+    excludes: ofIsotropic,
+    help: 'no edge is to be shorter; where that cannot be the report says how many are, and where. '
+      + 'Without a number of vertices no more are made than it allows' },
+  { name: 'maxEdge', flag: '--max-edge L', type: 'number', above: 0, unit: 'model units',
+    excludes: ofIsotropic,
+    help: 'no edge is to be longer, as above. Without a number of vertices as few as it allows' },
+  { name: 'minAngle', flag: '--min-angle D', type: 'number', above: 0, max: 60, unit: 'degrees',
+    excludes: ofIsotropic,
+    help: 'no angle of a triangle is to be smaller, as above' },
   { name: 'units', flag: '--units U', type: 'choice', choices: units, form: false,
     help: 'of the model’s lengths, so that options can be lengths with a unit, like 0.1mm; if not '
       + 'given those of the file: metres of glTF, what a 3MF says, none of others' },
@@ -205,6 +222,12 @@ export const optionTable = [
     help: 'relative vertex density, one value per input vertex' },
   { name: 'featureEdges', type: 'pairs',
     help: 'feature edges of the caller’s own, as pairs of input vertices' },
+  { name: 'region', type: 'indices',
+    excludes: { others: { quads: [true], repair: ['holes', 'solid', 'wrap', 'auto'], weld: true,
+      textures: ['bake'], lods: true, dropBelow: true, dropHidden: [true], unite: [true] },
+    why: 'outside the region everything stays bit for bit' },
+    help: 'numbers of the input’s triangles that are to be remeshed; the others stay bit for bit, '
+      + 'and so does the border between. The number of vertices is that of the whole' },
 ];
 
 /** @type {Map<string, Option>} */
@@ -274,6 +297,7 @@ export function rangeInWords(option) {
     return `1 to ${mostLods} numbers above 0, or so many with px behind them`;
   }
   if (option.type === 'floats') return 'a Float32Array with one value per vertex';
+  if (option.type === 'indices') return 'a Uint32Array or array of triangle numbers, not empty';
   if (option.type === 'pairs') return 'a Uint32Array of vertex pairs, or an array of pairs';
   const kind = option.type === 'integer' ? 'a whole number' : 'a number';
   const length = takesLength(option) ? ', a length like 0.1mm' : '';
@@ -291,6 +315,13 @@ function areShares(value) {
     || value.every((share) => pixelsFrom(share) !== undefined);
 }
 
+/** @param {unknown} value */
+function areIndices(value) {
+  if (value instanceof Uint32Array) return value.length > 0;
+  return Array.isArray(value) && value.length > 0
+    && value.every((index) => Number.isInteger(index) && index >= 0 && index < 2 ** 32);
+}
+
 /** @param {Option} option @param {unknown} value @returns {boolean} */
 function isAllowed(option, value) {
   switch (option.type) {
@@ -302,6 +333,8 @@ function isAllowed(option, value) {
       return areShares(value);
     case 'floats':
       return value instanceof Float32Array || value instanceof Float64Array;
+    case 'indices':
+      return areIndices(value);
     case 'pairs':
       return value instanceof Uint32Array || Array.isArray(value);
     default:
@@ -354,6 +387,7 @@ function flattened(pairs) {
 /** The value in the form that travels to the core. @param {Option} option @param {any} value */
 function canonical(option, value) {
   if (option.type === 'floats') return Float32Array.from(value);
+  if (option.type === 'indices') return Uint32Array.from(value);
   if (option.type === 'shares') {
     return pixelsFrom(value[0]) === undefined ? Float64Array.from(value) : [...value];
   }

@@ -20,8 +20,9 @@ export const presets = [
   values: { repair: 'auto', prefer: 'shape', textures: 'bake', textureFormat: 'webp' } },
   { name: 'print', help: 'a closed body for printing, within 0.2 % of the diagonal',
     values: { adaptivity: 0.7, maxError: 0.2, repair: 'auto' } },
-  { name: 'simulation', help: 'a closed surface of triangles whose sizes change slowly',
-    values: { adaptivity: 0.3, gradation: 1.3, featureAngle: 30, repair: 'auto' } },
+  { name: 'simulation', help: 'a closed surface of triangles whose sizes change slowly, without '
+    + 'angles below 20 degrees',
+  values: { adaptivity: 0.3, gradation: 1.3, featureAngle: 30, minAngle: 20, repair: 'auto' } },
   { name: 'quads', help: 'pure quads', values: { quads: true } },
   { name: 'accurate', help: 'the least error for a number of vertices', values: { adaptivity: 1 } },
 ];

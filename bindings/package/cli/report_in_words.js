@@ -26,6 +26,24 @@ function quadsInWords({
   ];
 }
 
+const wantedNames = /** @type {const} */ ({ minEdge: ['edges', 'at least', 'shortest', ''],
+  maxEdge: ['edges', 'at most', 'longest', ''],
+  minAngle: ['angles', 'at least', 'smallest', '°'] });
+
+/** @param {import('../base/messages.js').Wanted} wanted */
+function wantedInWords(wanted) {
+  const short = (/** @type {number} */ x) => Number(x.toPrecision(4));
+  const names = /** @type {(keyof typeof wantedNames)[]} */ (Object.keys(wantedNames));
+  return names.flatMap((name) => {
+    const figure = wanted[name];
+    if (!figure) return [];
+    const [what, limit, worst, unit] = wantedNames[name];
+    const share = figure.missed === 0 ? 'all' : `${figure.kept.toFixed(2)} %, but ${figure.missed}`;
+    return [`  ${what} ${limit} ${short(figure.asked)}${unit}: ${share}; the ${worst} `
+      + `${short(figure.worst)}${unit}`];
+  });
+}
+
 /** @param {string} title @param {MeshReport} mesh */
 function meshInWords(title, mesh) {
   const { minAngle, maxAngle } = mesh;
@@ -41,6 +59,7 @@ function meshInWords(title, mesh) {
       + `${mesh.valence6.toFixed(1)} %`,
     `  triangles by minimum angle, %, 0–10 … 50–60°: ${shares}`,
     ...(mesh.quads ? quadsInWords(mesh.quads) : []),
+    ...wantedInWords(mesh.wanted ?? {}),
   ].join('\n');
 }
 

@@ -226,7 +226,8 @@ std::vector<io::Part> PartFrames::applied(std::vector<io::Part> parts) const {
 }
 
 RemeshOptions PartFrames::applied(RemeshOptions options) const {
-  for (std::optional<double>* const length : {&options.edgeLength, &options.lengths.maxError})
+  for (std::optional<double>* const length :
+       {&options.edgeLength, &options.minEdge, &options.maxEdge, &options.lengths.maxError})
     if (*length) **length *= world_.scale();
   return options;
 }

@@ -137,7 +137,8 @@ RemeshOptions PartTargets::of(std::size_t part) const {
   if (options_.vertices) {
     result.vertices = Index(std::llround(isLast ? verticesLeft_ : shareOf(part)));
   }
-  if (options_.edgeLength) *result.edgeLength /= scaleOf(places_[part]);
+  for (std::optional<double>* const length : {&result.edgeLength, &result.minEdge, &result.maxEdge})
+    if (*length) **length /= scaleOf(places_[part]);
   return result;
 }
 

@@ -180,7 +180,7 @@ RemeshOptions PartUnions::optionsOf(std::size_t surface, RemeshOptions options) 
   const Union* const whole = unionOf(surface);
   if (!whole || held_ == Held::AsOne) return options;
   if (!options.quads) options.bodies = whole->bodies;
-  if (options.edgeLength) return options;
+  if (options.edgeLength || leadsByEdges(options)) return options;
   const double bodies = double(members_[surface].size());
   const double ratio = options.ratio.value_or(1);
   double own = 0, asked = 0;

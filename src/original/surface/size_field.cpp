@@ -186,6 +186,12 @@ void limit(const VertexData<double>& limits, VertexData<double>& sizes) {
     sizes[Vertex(v)] = std::min(sizes[Vertex(v)], limits[Vertex(v)]);
 }
 
+// Bounds keep the gradation: they are the same everywhere.
+void bound(const SizeRules& rules, VertexData<double>& sizes) {
+  if (rules.shortest == 0 && rules.longest == kInfinity) return;
+  for (double& size : sizes.values()) size = std::clamp(size, rules.shortest, rules.longest);
+}
+
 // Raises sizes around kept edges: a long kept edge needs triangles to match, even if all others are
 // much smaller. Processed from the largest size down.
 void raiseAround(const OriginalSurface& surface, const VertexData<double>& kept, double slope,
@@ -262,6 +268,7 @@ SizeField::SizeField(const OriginalSurface& surface, const SizeRules& rules)
   if (surface.hasFlats() && rules.adaptivity > 0 && kept.size() == 0 && !wished_ && !spiked_) {
     refined_ = std::make_shared<RefinedFaces>(surface, kFinestPart * mean_);
     sizes_ = accurateSizes(surface, *refined_, {mean_, rules.adaptivity, slope, rules.error});
+    bound(rules, sizes_);
     meanEdge_ = meanOverEdges(refined_->areas(), sizes_);
     vertices_ = std::max(rules.vertices, verticesOf(refined_->areas(), sizes_));
     return;
@@ -285,6 +292,7 @@ SizeField::SizeField(const OriginalSurface& surface, const SizeRules& rules)
     for (Index v = 0; v < kept.size(); ++v)
       if (kept[Vertex(v)] > 0) sizes_[Vertex(v)] = std::min(sizes_[Vertex(v)], kept[Vertex(v)]);
     limitGradation(surface, slope, sizes_);
+    bound(rules, sizes_);
     raiseAround(surface, kept, keptSlope, sizes_);
   }
   if (rules.spikes) stretchSpikes(*rules.spikes, sizes_);

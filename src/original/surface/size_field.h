@@ -25,7 +25,8 @@ struct SizeRules {
   double gradation = 1.5;  // largest ratio between the sizes at the two ends of an edge
   std::span<const float> density = {};  // per original vertex (as BuiltMesh::sources), or empty
   double error = 0;                     // if above 0: sizes keep about this distance, model units
-  const Spikes* spikes = nullptr;       // spikes whose skin gets few vertices, or null
+  double shortest = 0, longest = kInfinity;  // bounds on sizes, as far as the number allows
+  const Spikes* spikes = nullptr;            // spikes whose skin gets few vertices, or null
 };
 
 class SizeField {

@@ -18,6 +18,7 @@
 #include "remesh/steps/adapt.h"
 #include "remesh/steps/apart.h"
 #include "remesh/steps/split_obtuse.h"
+#include "remesh/steps/wanted.h"
 #include "remesh/transfer/attribute_transfer.h"
 
 namespace remesher {
@@ -82,6 +83,16 @@ Places matchPositions(Run& run, std::size_t vertices, const Bodies& bodies) {
     least = missed;
     coincident = moveApart(run);
   }
+}
+
+// Lengths with room for what rounding moves.
+WantedLimits wantedIn(const RemeshOptions& options, const Grain& grain) {
+  constexpr double kRoom = 4;  // roundings of coordinates
+  WantedLimits wanted;
+  if (options.minEdge) wanted.shortest = *options.minEdge + kRoom * grain.size;
+  if (options.maxEdge) wanted.longest = *options.maxEdge - kRoom * grain.size;
+  if (options.minAngle) wanted.angle = radians(*options.minAngle) * (1 + kSingleRoundOff);
+  return wanted;
 }
 
 // The vertices that repaired surfaces of many pieces or handles are made of, where those asked for
@@ -158,16 +169,21 @@ Remeshed remeshOriginal(const Prepared& original, const RunSettings& settings,
   const std::size_t places = options.inBodies.value_or(Index(vertices));
   run.asked.effort = effortOf(options.quality, Level::Finest, vertices);
   const Made made = makeMesh(run, original, settings, progress);
-  const bool mayMatch =
-      !options.splitObtuse && (made.isReached || settings.bodies.countPlaces(mesh) < places);
+  const WantedLimits wanted = wantedIn(options, settings.grain);
+  const bool isFree = !options.vertices && !options.faces && !options.ratio;
+  if (wanted.isAny()) keepWanted(run, wanted, Number::Free);
+  const bool mayMatch = !options.splitObtuse && !(wanted.isAny() && isFree) &&
+                        (made.isReached || settings.bodies.countPlaces(mesh) < places);
   const Places matched = mayMatch ? matchPositions(run, places, settings.bodies)
                                   : Places{made.isReached, moveApart(run)};
+  if (wanted.isAny() && !isFree) keepWanted(run, wanted, Number::Kept);
+  const Unmet unmet = wanted.isAny() ? unmetOf(run, wanted) : Unmet{};
   const bool byBound = run.verdicts[std::size_t(Verdict::MaxError)] > 0;
   return {std::move(mesh),
           matched.areReached ? Stopped::Target
           : byBound          ? Stopped::MaxError
                              : Stopped::Fidelity,
-          matched.coincident};
+          matched.coincident, unmet};
 }
 
 void Isotropic::make(CrossingRule crossings, ShapeComparison* comparison,
@@ -185,14 +201,16 @@ RemeshOutcome Isotropic::outcome(Prefer prefer, const Progress& progress) {
   if (options_.textures == Textures::Bake) places = cornerPlaces(mesh(), input_);
   const std::size_t vertices =
       options_.splitObtuse ? original_.vertices() : bodies_.countPlaces(mesh());
-  return {extractMesh(mesh(), input_, original_.transfer()),
-          std::move(places),
-          made_->stopped,
-          vertices,
-          original_.warnings(),
-          made_->coincident,
-          tree_.ofInput(),
-          prefer};
+  RemeshOutcome outcome{extractMesh(mesh(), input_, original_.transfer()),
+                        std::move(places),
+                        made_->stopped,
+                        vertices,
+                        original_.warnings(),
+                        made_->coincident,
+                        tree_.ofInput(),
+                        prefer};
+  outcome.unmet = made_->unmet;
+  return outcome;
 }
 
 }  // namespace remesher

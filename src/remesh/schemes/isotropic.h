@@ -21,6 +21,7 @@ struct Remeshed {
   WorkingMesh mesh;
   Stopped stopped;
   std::size_t coincident;  // see moveApart
+  Unmet unmet = {};
 };
 
 // Whether a result may intersect itself.

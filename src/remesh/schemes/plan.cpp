@@ -24,6 +24,7 @@ constexpr double kFiner = 4, kWorthThinning = 2;
 std::size_t correctedTarget(const OriginalSurface& surface, const RemeshOptions& options,
                             const SizeRules& rules) {
   const auto vertices = std::size_t(rules.vertices);
+  if (leadsByEdges(options)) return std::size_t(std::lround(SizeField(surface, rules).vertices()));
   if (!options.edgeLength) return vertices;
   const double ratio = SizeField(surface, rules).meanEdge() / *options.edgeLength;
   return std::max<std::size_t>(4, std::size_t(std::lround(rules.vertices * ratio * ratio)));

@@ -34,7 +34,8 @@ namespace {
 bool mayFollow(const RemeshOptions& options) {
   return options.prefer != Prefer::Even && options.scheme == Scheme::Best &&
          options.density.empty() && options.featureEdges.empty() && options.bodies.empty() &&
-         !options.maxError && !options.splitObtuse && options.boundary == Boundary::Resample &&
+         !options.maxError && !wantsOfEach(options) && !options.splitObtuse &&
+         options.boundary == Boundary::Resample &&
          (options.repair == Repair::Off || options.prefer == Prefer::Shape);
 }
 

@@ -10,6 +10,7 @@
 #include "base/paired_part.h"
 #include "base/progress.h"
 #include "base/report.h"
+#include "base/unmet.h"
 #include "geometry/triangle_tree.h"
 #include "mesh/welding.h"
 
@@ -31,6 +32,7 @@ struct RemeshOutcome {
   Chosen chosen = {};         // the rule by which this mesh was taken
   std::size_t quadParts = 0;  // connected parts of quads
   std::vector<PairedPart> paired = {};
+  Unmet unmet = {};  // of what was wanted of edges and triangles
 };
 
 // Throws Error as buildMesh does, and NO_TRIANGLES, INVALID_OPTION, TARGET_TOO_SMALL,

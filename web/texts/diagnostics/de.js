@@ -44,6 +44,8 @@ export default {
   'chosen.no-surface': 'Kein Dreieck hat eine Fläche: das Netz bleibt, wie es kam.',
   'chosen.kept': 'Nichts war zu reparieren: jeder Punkt und jedes Dreieck ist, wie es war.',
   'chosen.repaired': 'Die Reparatur hat die Fläche geändert.',
+  'warning.ANGLES_TOO_SMALL': 'Manche Dreiecke haben kleinere Winkel als gewünscht, meist wo '
+    + 'scharfe Kanten oder Ränder nah beieinander liegen.',
   'warning.ANGLES_WORSE': 'Manche Dreiecke sind schlechter als die des Originals. Mehr Punkte '
     + 'helfen, wo Teile dünner sind, als Kanten lang.',
   'warning.ATTRIBUTE_HAS_NO_CHARTS': 'Ein Attribut springt an fast jeder Kante; es wird von der '
@@ -57,6 +59,9 @@ export default {
   'warning.DEGENERATE_TRIANGLES_REMOVED': 'Dreiecke ohne drei verschiedene Ecken wurden entfernt.',
   'warning.DUPLICATE_TRIANGLES_REMOVED': 'Doppelte Dreiecke wurden entfernt.',
   'warning.HOLES_LEFT_OPEN': 'Löcher, die länger sind als verlangt, blieben offen.',
+  'warning.EDGES_TOO_LONG': 'Manche Kanten sind länger als gewünscht.',
+  'warning.EDGES_TOO_SHORT': 'Manche Kanten sind kürzer als gewünscht, meist wo scharfe Kanten '
+    + 'oder Ecken nah beieinander liegen.',
   'warning.ELEMENTS_LEFT_OUT': 'Elemente, die weder Dreiecke noch Vierecke sind, fehlen.',
   'warning.EXTENSION_NOT_CARRIED': 'Was Erweiterungen über Dreiecke, Punkte oder Texturen sagen, '
     + 'die neu gemacht sind, gilt nicht mehr und fällt weg.',

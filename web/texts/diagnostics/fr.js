@@ -44,6 +44,8 @@ export default {
   'chosen.kept': 'Il n’y avait rien à réparer : chaque sommet et chaque triangle reste tel '
     + 'quel.',
   'chosen.repaired': 'La réparation a changé la surface.',
+  'warning.ANGLES_TOO_SMALL': 'Des triangles ont des angles plus petits que voulu, surtout là où '
+    + 'des arêtes vives ou des bords sont proches.',
   'warning.ANGLES_WORSE': 'Des triangles sont moins bons que ceux de l’original. Plus de points '
     + 'aident là où des parties sont plus minces que les arêtes ne sont longues.',
   'warning.ATTRIBUTE_HAS_NO_CHARTS': 'Un attribut saute à presque chaque arête ; il est repris du '
@@ -58,6 +60,9 @@ export default {
     + 'retirés.',
   'warning.DUPLICATE_TRIANGLES_REMOVED': 'Des triangles en double ont été retirés.',
   'warning.HOLES_LEFT_OPEN': 'Des trous plus longs que demandé sont restés ouverts.',
+  'warning.EDGES_TOO_LONG': 'Des arêtes sont plus longues que voulu.',
+  'warning.EDGES_TOO_SHORT': 'Des arêtes sont plus courtes que voulu, surtout là où des arêtes '
+    + 'vives ou des coins sont proches.',
   'warning.ELEMENTS_LEFT_OUT': 'Les éléments qui ne sont ni triangles ni quads manquent.',
   'warning.EXTENSION_NOT_CARRIED': 'Ce que des extensions disent de ce qui est refait disparaît.',
   'warning.HIDDEN_LEFT_OUT': 'Ce que la scène ne montre pas manque ; un .glb ou .gltf le garde.',

@@ -6,6 +6,9 @@ export default {
   'option.faces': 'Dreiecke',
   'option.ratio': 'Anteil',
   'option.edgeLength': 'Kantenlänge',
+  'option.minEdge': 'Kürzeste Kante',
+  'option.maxEdge': 'Längste Kante',
+  'option.minAngle': 'Kleinster Winkel',
   'option.scheme': 'Verfahren',
   'option.quality': 'Güte',
   'option.prefer': 'Vorzug',
@@ -29,6 +32,11 @@ export default {
     + 'wie die Fläche es zulässt',
   'help.ratio': 'die Zahl der Punkte als Anteil an denen des Originals',
   'help.edgeLength': 'die Zahl der Punkte aus einer mittleren Kantenlänge',
+  'help.minEdge': 'keine Kante soll kürzer sein; wo das nicht geht, sagt der Bericht, wie viele es '
+    + 'sind und wo. Ohne Zahl der Punkte gibt es höchstens so viele, wie das zulässt',
+  'help.maxEdge': 'keine Kante soll länger sein, wie oben. Ohne Zahl der Punkte so wenige, wie das '
+    + 'zulässt',
+  'help.minAngle': 'kein Winkel eines Dreiecks soll kleiner sein, wie oben',
   'help.scheme': 'rounds: das veröffentlichte Verfahren, Schritt für Schritt; best: unser eigenes',
   'help.quality': 'draft: in einem Bruchteil der Zeit, fast so gut, Abstände nur grob gemessen',
   'help.prefer': 'even: gleichmäßige Dreiecke; shape: die Punkte des Originals, die Form und '

@@ -6,6 +6,9 @@ export default {
   'option.faces': 'Triangles',
   'option.ratio': 'Part',
   'option.edgeLength': 'Longueur d’arête',
+  'option.minEdge': 'Arête minimale',
+  'option.maxEdge': 'Arête maximale',
+  'option.minAngle': 'Angle minimal',
   'option.scheme': 'Méthode',
   'option.quality': 'Qualité',
   'option.prefer': 'Préférence',
@@ -29,6 +32,11 @@ export default {
     + 'près que la surface le permet',
   'help.ratio': 'le nombre de sommets comme part de ceux de l’original',
   'help.edgeLength': 'le nombre de sommets d’après une longueur moyenne d’arête',
+  'help.minEdge': 'aucune arête ne doit être plus courte ; là où cela ne se peut pas, le rapport '
+    + 'dit combien le sont et où. Sans nombre de sommets, pas plus que cela ne permet',
+  'help.maxEdge': 'aucune arête ne doit être plus longue, de même. Sans nombre de sommets, aussi '
+    + 'peu que cela permet',
+  'help.minAngle': 'aucun angle d’un triangle ne doit être plus petit, de même',
   'help.scheme': 'rounds : la méthode publiée, pas à pas ; best : la nôtre',
   'help.quality': 'draft : en une fraction du temps, presque aussi bon, distances peu mesurées',
   'help.prefer': 'even : des triangles réguliers ; shape : les sommets de l’original dont la '

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+#include "jobs/checks/wanted_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "base/legible.h"
+#include "geometry/triangle.h"
+#include "jobs/checks/result_check.h"
+#include "jobs/parts/part_places.h"
+#include "mesh/welding.h"
+
+namespace remesher {
+namespace {
+
+constexpr int kFigures = 4;  // of numbers in messages
+
+// The worst of what was measured, and how much of it keeps a limit.
+class Tally {
+ public:
+  explicit Tally(double asked) : asked_(asked) {}
+
+  // isKept, isWorse: of `value`. at: called if it is the worst so far.
+  template <class Place>
+  void add(double value, bool isKept, bool isWorse, const Place& at) {
+    ++all_;
+    kept_ += isKept ? 1 : 0;
+    if (all_ > 1 && !isWorse) return;
+    worst_ = value;
+    at_ = at();
+  }
+
+  double worst() const { return worst_; }
+
+  WantedFigure figure() const {
+    WantedFigure figure;
+    figure.asked = asked_;
+    figure.worst = worst_;
+    figure.missed = all_ - kept_;
+    figure.kept = all_ == 0 ? 100 : 100 * double(kept_) / double(all_);
+    if (kept_ < all_) figure.at = at_;
+    return figure;
+  }
+
+ private:
+  double asked_, worst_ = 0;
+  std::size_t all_ = 0, kept_ = 0;
+  Vec3 at_ = Vec3::Zero();
+};
+
+struct Tallies {
+  Tally shortest, longest, angle;
+};
+
+void addEdges(const TriangleMesh& mesh, const Eigen::Matrix3d& toWorld, Tallies& tallies,
+              const RemeshOptions& options) {
+  const Welding welding(mesh);
+  welding.forEachEdge([&](std::span<const Index> edge) {
+    const Vec3& a = mesh.positions[welding.corners[edge[0]]];
+    const Vec3& b = mesh.positions[welding.corners[nextCorner(edge[0])]];
+    const double length = (toWorld * (b - a)).norm();
+    const auto middle = [&] { return Vec3((a + b) / 2); };
+    if (options.minEdge)
+      tallies.shortest.add(length, length >= *options.minEdge, length < tallies.shortest.worst(),
+                           middle);
+    if (options.maxEdge)
+      tallies.longest.add(length, length <= *options.maxEdge, length > tallies.longest.worst(),
+                          middle);
+  });
+}
+
+void addAngles(const TriangleMesh& mesh, const Eigen::Matrix3d& toWorld, Tally& tally,
+               double wanted) {
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    const auto at = [&](std::size_t k) { return mesh.positions[mesh.indices[i + k]]; };
+    const Vec3 a = at(0), b = toWorld * (at(1) - a), c = toWorld * (at(2) - a);
+    const double angle = degrees(minAngle(Vec3::Zero(), b, c));
+    tally.add(angle, angle >= wanted, angle < tally.worst(),
+              [&] { return Vec3((a + at(1) + at(2)) / 3); });
+  }
+}
+
+double areaOf(const std::vector<io::Part>& parts) {
+  double area = 0;
+  const std::vector<PartPlace> places = placesOf(parts);
+  for (std::size_t n = 0; n < parts.size(); ++n) {
+    if (!parts[n].finer.empty()) continue;
+    const TriangleMesh& mesh = parts[n].mesh;
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+      const Vec3& a = mesh.positions[mesh.indices[i]];
+      const auto edge = [&](std::size_t k) {
+        return Vec3(places[n].toWorld.linear() * (mesh.positions[mesh.indices[i + k]] - a));
+      };
+      area += edge(1).cross(edge(2)).norm() / 2;
+    }
+  }
+  return area;
+}
+
+// Of triangles with edges of such a length.
+double verticesFor(double area, double length) {
+  return 2 * area / (std::sqrt(3.0) * length * length);
+}
+
+std::string shown(double x) { return inDigits(x, kFigures); }
+
+// The number of vertices asked for may be the reason.
+std::string byNumber(bool isReason, double enough) {
+  if (!isReason) return "";
+  return " The number of vertices that was asked for does not allow it: about " +
+         std::to_string(std::llround(enough)) + " would.";
+}
+
+// What the input itself leaves no choice about.
+std::string byCurves(const UnmetCount& unmet, std::size_t missed, const std::string& what) {
+  const std::size_t held = std::min(unmet.byCurves, missed);
+  if (held == 0) return "";
+  return " Of these, " + std::to_string(held) + what;
+}
+
+struct Missed {
+  const char* code;
+  const WantedFigure& figure;
+  std::string beginning, reason;
+};
+
+Warning warningOn(const Missed& missed, const std::vector<io::Part>& result) {
+  const WantedFigure& figure = missed.figure;
+  std::string text = missed.beginning + shown(figure.worst);
+  text.append(", near (").append(placeInWords(*figure.at, result)).append(").");
+  text.append(missed.reason);
+  return {missed.code, text, figure.missed, figure.at};
+}
+
+}  // namespace
+
+std::optional<WantedReport> wantedOf(const std::vector<io::Part>& result,
+                                     const RemeshOptions& options) {
+  if (!wantsOfEach(options)) return {};
+  const std::vector<PartPlace> places = placesOf(result);
+  Tallies tallies{Tally(options.minEdge.value_or(0)), Tally(options.maxEdge.value_or(0)),
+                  Tally(options.minAngle.value_or(0))};
+  for (std::size_t n = 0; n < result.size(); ++n) {
+    if (!result[n].finer.empty()) continue;
+    const Eigen::Matrix3d toWorld = places[n].toWorld.linear();
+    if (options.minEdge || options.maxEdge) addEdges(result[n].mesh, toWorld, tallies, options);
+    if (options.minAngle) addAngles(result[n].mesh, toWorld, tallies.angle, *options.minAngle);
+  }
+  WantedReport report;
+  if (options.minEdge) report.minEdge = tallies.shortest.figure();
+  if (options.maxEdge) report.maxEdge = tallies.longest.figure();
+  if (options.minAngle) report.minAngle = tallies.angle.figure();
+  return report;
+}
+
+std::vector<Warning> wantedMissed(const MeshReport& output, const std::vector<io::Part>& result,
+                                  const RemeshOptions& options, const Unmet& unmet) {
+  std::vector<Warning> warnings;
+  if (!output.wanted) return warnings;
+  const auto& [minEdge, maxEdge, minAngle] = *output.wanted;
+  const bool isNumbered = asksForNumber(options);
+  const double area = isNumbered ? areaOf(result) : 0;
+  const auto vertices = double(output.vertices);
+  if (minEdge && minEdge->missed > 0) {
+    const double most = verticesFor(area, minEdge->asked / kShortestOfSize);
+    warnings.push_back(warningOn(
+        {"EDGES_TOO_SHORT", *minEdge,
+         "Edges are shorter than " + shown(minEdge->asked) + ", the shortest ",
+         byCurves(unmet.shortEdges, minEdge->missed,
+                  " lie between sharp edges, borders or corners that are nearer to each other.") +
+             byNumber(isNumbered && vertices > most, most)},
+        result));
+  }
+  if (maxEdge && maxEdge->missed > 0) {
+    const double least = verticesFor(area, maxEdge->asked / kLongestOfSize);
+    warnings.push_back(warningOn(
+        {"EDGES_TOO_LONG", *maxEdge,
+         "Edges are longer than " + shown(maxEdge->asked) + ", the longest ",
+         byCurves(unmet.longEdges, maxEdge->missed, " lie on borders that were to be kept.") +
+             byNumber(isNumbered && vertices < least, least)},
+        result));
+  }
+  if (minAngle && minAngle->missed > 0)
+    warnings.push_back(warningOn(
+        {"ANGLES_TOO_SMALL", *minAngle,
+         "Triangles have angles below " + shown(minAngle->asked) + " degrees, the smallest ",
+         byCurves(unmet.smallAngles, minAngle->missed,
+                  " lie between sharp edges or borders that meet at small angles or are near to "
+                  "each other.")},
+        result));
+  return warnings;
+}
+
+}  // namespace remesher

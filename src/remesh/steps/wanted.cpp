@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/steps/wanted.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "base/fires.h"
+#include "geometry/pattern_search.h"
+#include "geometry/triangle.h"
+#include "mesh/hubs.h"
+#include "remesh/gate/angles.h"
+#include "remesh/operators/shift.h"
+#include "remesh/operators/smoothing.h"
+#include "remesh/steps/delaunay.h"
+#include "remesh/steps/sweeps.h"
+
+namespace remesher {
+
+namespace {
+
+// Rounds over all that is not as wanted, and changes in a row around one triangle.
+constexpr int kRoundsForWanted = 12, kChangesInARow = 8;
+// The most triangles that are looked at, in triangles of the mesh.
+constexpr std::size_t kLooksPerTriangle = 4;
+// How far a change may move the surface, in target edge lengths.
+constexpr double kMostMoved = 1;
+// If more than one vertex in so many is new, flips follow.
+constexpr std::size_t kManySplits = 20;
+// What an angle that nobody asked for weighs: lengths are not to be kept by slivers.
+constexpr double kUnasked = 0.25;
+// Costs that differ by less are equal.
+constexpr double kSameCost = 1e-9;
+
+// An edge of two triangles counts half for each.
+double costOfEdge(double length, const WantedLimits& wanted) {
+  if (length < wanted.shortest) return 0.5 * (2 - length / wanted.shortest);
+  // Two halves of an edge must cost less than the edge.
+  if (length > wanted.longest) return 0.5 * length * length / (wanted.longest * wanted.longest);
+  return 0;
+}
+
+// 0 if the triangle is as wanted; else one for each edge and angle that is not, and more the worse.
+double costOf(const Triangle& t, const WantedLimits& wanted) {
+  double cost = 0;
+  for (std::size_t i = 0; i < 3; ++i) cost += costOfEdge((t[(i + 1) % 3] - t[i]).norm(), wanted);
+  const bool isWanted = wanted.angle > 0;
+  const double least = isWanted ? wanted.angle : kPoor;
+  const double angle = minAngle(t[0], t[1], t[2]);
+  return angle < least ? cost + (isWanted ? 1 : kUnasked) * (2 - angle / least) : cost;
+}
+
+double edgeLengthOf(const Run& run, Halfedge h) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  return (run.mesh.position(mesh.tip(h)) - run.mesh.position(mesh.origin(h))).norm();
+}
+
+double costOf(const Run& run, Face f, const WantedLimits& wanted) {
+  return costOf(run.mesh.corners(f), wanted);
+}
+
+// The triangles that a change replaces, with those that a collapse removes.
+double costGoing(const Run& run, const LocalChange& change, const WantedLimits& wanted) {
+  double cost = 0;
+  for (const Face f : change.going) cost += costOf(run, f, wanted);
+  if (change.operation != Operation::Collapse) return cost;
+  for (const Halfedge side : {change.halfedge, run.mesh.mesh().twin(change.halfedge)})
+    if (side) cost += costOf(run, HalfedgeMesh::face(side), wanted);
+  return cost;
+}
+
+double costComing(const Run& run, const LocalChange& change, const WantedLimits& wanted) {
+  double cost = 0;
+  for (const auto& [a, b, c] : change.coming)
+    cost += costOf({positionAfter(run.mesh, change, a), positionAfter(run.mesh, change, b),
+                    positionAfter(run.mesh, change, c)},
+                   wanted);
+  return cost;
+}
+
+// Among many long edges fewer and longer ones would cost less: no collapse makes an edge too long.
+bool makesTooLong(const Run& run, const LocalChange& change, const WantedLimits& wanted) {
+  const Vec3& to = change.place.position;
+  const auto isTooFar = [&](Vertex v) {
+    return v != kMoved && (run.mesh.position(v) - to).norm() > wanted.longest;
+  };
+  return std::any_of(change.coming.begin(), change.coming.end(), [&](const auto& corners) {
+    return std::any_of(corners.begin(), corners.end(), isTooFar);
+  });
+}
+
+// Of the changes offered the one that lowers the cost most.
+class CheapestChange {
+ public:
+  CheapestChange(const Run& run, const WantedLimits& wanted, double shift)
+      : wanted_(wanted), rule_(lenient(run)), shift_(shift) {}
+
+  // Returns whether the proposal at hand is the best so far.
+  bool offer(const Run& run) {
+    const LocalChange& change = run.scratch.change;
+    const double gain = costGoing(run, change, wanted_) - costComing(run, change, wanted_);
+    if (gain <= gain_ + kSameCost) return false;
+    if (change.operation == Operation::Collapse && makesTooLong(run, change, wanted_)) return false;
+    if (judge(run.mesh, change, rule_) != Verdict::Accepted) return false;
+    if (shiftsBeyond(shift_, run.mesh, change)) return false;
+    gain_ = gain, change_ = change;
+    return true;
+  }
+
+  bool carryOut(Run& run) const {
+    if (gain_ <= 0) return false;
+    remesher::carryOut(run, change_);
+    return true;
+  }
+
+ private:
+  const WantedLimits& wanted_;
+  FidelityRule rule_;
+  double shift_;  // model units
+  double gain_ = 0;
+  LocalChange change_ = {};
+};
+
+// Offers to move v a step towards each neighbour, and between each two, on the surface.
+void offerMoves(Run& run, Vertex v, CheapestChange& cheapest) {
+  std::vector<Halfedge> around;
+  run.mesh.mesh().forEachOutgoing(v, [&](Halfedge h) { around.push_back(h); });
+  searchPattern([&](double step) {
+    for (const Halfedge h : around)
+      for (const Vec3& weights : {Vec3(1 - step, step, 0), Vec3(1 - step, step / 2, step / 2)})
+        if (proposeRelocation(run.mesh, run.projector, {h, weights}, run.scratch.change))
+          cheapest.offer(run);
+    return false;
+  });
+}
+
+// Offers to slide v along its curve, between its neighbours there.
+void offerSlides(Run& run, Vertex v, CheapestChange& cheapest) {
+  const auto [before, after] = curveNeighbors(run.mesh, v);
+  const CurvePoint on = run.mesh.on(v);
+  const double from = run.mesh.onChain(before, on.chain).arc;
+  const double to = run.mesh.onChain(after, on.chain).arc;
+  searchPattern([&](double step) {
+    for (const double end : {from, to}) {
+      const double arc = on.arc + step * (end - on.arc);
+      proposePlacement(run.mesh, v, run.mesh.onCurve({on.chain, arc}), run.scratch.change);
+      cheapest.offer(run);
+    }
+    return false;
+  });
+}
+
+bool maySlide(const Run& run, Vertex v) {
+  if (run.mesh.kind(v) != VertexKind::Curve || run.mesh.isPinned(v)) return false;
+  return !run.mesh.surface().curves().chains()[run.mesh.on(v).chain].kept;
+}
+
+void offerAtCorner(Run& run, Vertex v, CheapestChange& cheapest) {
+  if (run.mesh.kind(v) == VertexKind::Interior && !run.mesh.isPinned(v))
+    offerMoves(run, v, cheapest);
+  else if (maySlide(run, v))
+    offerSlides(run, v, cheapest);
+}
+
+void offerAtEdge(Run& run, Halfedge h, Number number, CheapestChange& cheapest) {
+  LocalChange& change = run.scratch.change;
+  if (proposeFlip(run.mesh, h, change)) cheapest.offer(run);
+  if (number == Number::Kept) return;
+  if (proposeSplit(run.mesh, run.projector, h, change)) cheapest.offer(run);
+  for (const Halfedge way : {h, run.mesh.mesh().twin(h)}) {
+    if (!way) continue;
+    if (proposeCollapse(run.mesh, run.projector, way, change)) cheapest.offer(run);
+    if (proposeCollapseInto(run.mesh, way, change)) cheapest.offer(run);
+  }
+}
+
+bool changeAround(Run& run, Face f, const WantedLimits& wanted, Number number, const Hubs& hubs) {
+  const auto corners = run.mesh.mesh().vertices(f);
+  const double size = run.asked.scale * run.sizes.at(run.mesh.at(corners[0]));
+  CheapestChange cheapest(run, wanted, kMostMoved * size);
+  for (int k = 0; k < 3; ++k) {
+    const Halfedge h = HalfedgeMesh::halfedge(f, k);
+    if (hubs.contains(run.mesh.mesh().origin(h)) || hubs.contains(run.mesh.mesh().tip(h))) continue;
+    offerAtEdge(run, h, number, cheapest);
+  }
+  for (const Vertex v : corners)
+    if (!hubs.contains(v)) offerAtCorner(run, v, cheapest);
+  return cheapest.carryOut(run);
+}
+
+bool isLongestAround(const Run& run, Halfedge h) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  const double length = edgeLengthOf(run, h);
+  for (const Halfedge side : {h, mesh.twin(h)})
+    if (side &&
+        std::max(edgeLengthOf(run, mesh.next(side)), edgeLengthOf(run, mesh.prev(side))) > length)
+      return false;
+  return true;
+}
+
+// Divides edges that are too long and the longest of their triangles [Rivara 1984], unless halves
+// would be too short. Returns the number of splits.
+std::size_t divideLong(Run& run, const WantedLimits& wanted) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  std::size_t splits = 0;
+  const Index present = Index(mesh.halfedgeCapacity());
+  for (Index i = 0; i < present; ++i) {
+    const Halfedge h(i);
+    if (!mesh.isEdge(h)) continue;
+    const double length = edgeLengthOf(run, h);
+    if (length <= wanted.longest || length < 2 * wanted.shortest) continue;
+    if (!isLongestAround(run, h)) continue;
+    if (proposeSplit(run.mesh, run.projector, h, run.scratch.change))
+      splits += commit(run, lenient(run)) ? 1 : 0;
+  }
+  return splits;
+}
+
+// Halving goes on until nothing is too long that may be halved.
+void divideAllLong(Run& run, const WantedLimits& wanted) {
+  constexpr int kMostHalvings = 64;
+  for (int i = 0; i < kMostHalvings; ++i) {
+    const std::size_t splits = divideLong(run, wanted);
+    if (splits == 0 || areProofsSpent(run)) return;
+    if (kManySplits * splits > run.mesh.mesh().vertexCount())
+      delaunayFlips(run.mesh, run.asked.rule);
+  }
+}
+
+// The triangles that are not as wanted, the worst first.
+std::vector<Face> notAsWanted(const Run& run, const WantedLimits& wanted) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  std::vector<std::pair<double, Face>> found;
+  for (Face f(0); f.index < mesh.faceCapacity(); ++f.index) {
+    if (!mesh.isAlive(f)) continue;
+    const double cost = costOf(run, f, wanted);
+    if (cost > 0) found.emplace_back(-cost, f);
+  }
+  std::sort(found.begin(), found.end());
+  std::vector<Face> faces;
+  for (const auto& [cost, f] : found) faces.push_back(f);
+  return faces;
+}
+
+// Whether no change of the mesh between its curves brings the ends of an edge apart.
+bool isHeldByCurves(const Run& run, Halfedge h) {
+  const auto isHeld = [&](Vertex v) { return run.mesh.kind(v) != VertexKind::Interior; };
+  return isHeld(run.mesh.mesh().origin(h)) && isHeld(run.mesh.mesh().tip(h));
+}
+
+// Whether the smallest angle of f lies between two curves, or between curves that are too near.
+bool isBetweenCurves(const Run& run, Face f) {
+  const auto corners = run.mesh.mesh().vertices(f);
+  return std::all_of(corners.begin(), corners.end(),
+                     [&](Vertex v) { return run.mesh.kind(v) != VertexKind::Interior; });
+}
+
+}  // namespace
+
+void keepWanted(Run& run, const WantedLimits& wanted, Number number) {
+  if (number == Number::Free) divideAllLong(run, wanted);
+  const Hubs hubs(run.mesh.mesh());
+  std::size_t looks = kLooksPerTriangle * run.mesh.mesh().faceCount();
+  for (int round = 0; round < kRoundsForWanted; ++round) {
+    bool isChanged = false;
+    for (const Face f : notAsWanted(run, wanted)) {
+      for (int i = 0; i < kChangesInARow; ++i) {
+        if (!run.mesh.mesh().isAlive(f) || costOf(run, f, wanted) == 0) break;
+        if (areProofsSpent(run)) return;
+        if (looks-- == 0) {
+          fires("wanted: most looks");
+          return;
+        }
+        if (!changeAround(run, f, wanted, number, hubs)) break;
+        isChanged = true;
+      }
+    }
+    if (!isChanged) return;
+  }
+  fires("wanted: most rounds");
+}
+
+Unmet unmetOf(const Run& run, const WantedLimits& wanted) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  Unmet unmet;
+  const auto count = [](UnmetCount& counted, bool isFixed) {
+    ++counted.all;
+    counted.byCurves += isFixed ? 1 : 0;
+  };
+  for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
+    const Halfedge h(i);
+    if (!mesh.isEdge(h)) continue;
+    const double length = edgeLengthOf(run, h);
+    if (length < wanted.shortest) count(unmet.shortEdges, isHeldByCurves(run, h));
+    if (length > wanted.longest) count(unmet.longEdges, run.mesh.isKept(h));
+  }
+  for (Face f(0); f.index < mesh.faceCapacity(); ++f.index)
+    if (mesh.isAlive(f) && smallestAngle(run.mesh, f) < wanted.angle)
+      count(unmet.smallAngles, isBetweenCurves(run, f));
+  return unmet;
+}
+
+}  // namespace remesher

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Edges no shorter and no longer than wanted, and no smaller angles, wherever the surface allows
+// it. What the other steps aim at on average becomes a limit for every edge and triangle here.
+#pragma once
+
+#include "base/unmet.h"
+#include "remesh/steps/run.h"
+
+namespace remesher {
+
+// What is wanted of every edge and triangle.
+struct WantedLimits {
+  double shortest = 0, longest = kInfinity;  // edge lengths, model units
+  double angle = 0;                          // radians
+
+  bool isAny() const { return shortest > 0 || longest < kInfinity || angle > 0; }
+};
+
+// Whether vertices may be added and removed.
+enum class Number { Free, Kept };
+
+// Changes the mesh around each edge and triangle that is not as wanted: flips, moves and, where the
+// number of vertices is free, splits and collapses, of which the best is taken. No change makes
+// worse of what is wanted than it makes better. For the end of a run.
+void keepWanted(Run& run, const WantedLimits& wanted, Number number);
+
+// What is not as wanted, and of that the edges between vertices on curves, and the triangles whose
+// corners all lie on curves.
+Unmet unmetOf(const Run& run, const WantedLimits& wanted);
+
+}  // namespace remesher
