@@ -305,6 +305,7 @@ set(small
   src/remesh/transfer/chart_keeper.cpp
   src/remesh/transfer/input_attributes.cpp
   src/remesher.cpp
+  src/repair/body_union.cpp
   src/repair/boolean.cpp
   src/repair/diagnosis.cpp
   src/repair/exact_repair.cpp

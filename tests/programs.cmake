@@ -190,6 +190,7 @@ add_executable(unit_tests
   tests/unit/remesh/symmetry/mirroring_test.cpp
   tests/unit/remesh/transfer/chart_keeper_test.cpp
   tests/unit/remesher_test.cpp
+  tests/unit/repair/body_union_test.cpp
   tests/unit/repair/boolean_test.cpp
   tests/unit/repair/fineness_test.cpp
   tests/unit/repair/holes/close_holes_test.cpp
@@ -250,6 +251,10 @@ target_link_libraries(ablation PRIVATE core)
 # How often each fallback and each limit of work fires: see tests/bench/fires.js.
 add_executable(fires EXCLUDE_FROM_ALL tests/bench/fires_main.cpp)
 target_link_libraries(fires PRIVATE core)
+
+# What repair makes of a file, natively: see tests/bench/mended.js.
+add_executable(mended EXCLUDE_FROM_ALL tests/bench/mended_main.cpp)
+target_link_libraries(mended PRIVATE core)
 
 # Random inputs for as long as wanted; not built by default.
 add_executable(stress EXCLUDE_FROM_ALL tests/stress/stress_main.cpp)

@@ -59,6 +59,7 @@ constexpr std::array kDiagnostics = {
     Diagnostic{"QUADS_OFF_BORDER", Severity::Fault},
     Diagnostic{"QUADS_PAIRED", Severity::Note},
     Diagnostic{"QUADS_SYMMETRY_LOST", Severity::Note},
+    Diagnostic{"REMADE_IN_PART", Severity::Note},
     Diagnostic{"RESOURCE_NOT_GIVEN", Severity::Loss},
     Diagnostic{"RIMS_CLOSED", Severity::Note},
     Diagnostic{"RIMS_LEFT_OPEN", Severity::Note},

@@ -37,6 +37,7 @@ bool isShell(const SurfacePiece& piece) { return piece.kind == SurfacePiece::Kin
 bool isInsideOut(const SurfacePiece& piece) { return piece.isInsideOut; }
 bool isCavity(const SurfacePiece& piece) { return piece.kind == SurfacePiece::Kind::Cavity; }
 bool isSheet(const SurfacePiece& piece) { return piece.kind == SurfacePiece::Kind::Open; }
+bool isCard(const SurfacePiece& piece) { return isSheet(piece) && piece.isFlat && piece.faces > 1; }
 
 std::vector<Vec3> cornersOf(const Diagnosis& diagnosis, bool (*hasFault)(const SurfacePiece&)) {
   const auto& [ofFace, pieces] = diagnosis.pieces;

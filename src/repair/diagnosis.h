@@ -33,6 +33,7 @@ bool isShell(const SurfacePiece& piece);
 bool isInsideOut(const SurfacePiece& piece);
 bool isCavity(const SurfacePiece& piece);
 bool isSheet(const SurfacePiece& piece);  // open
+bool isCard(const SurfacePiece& piece);   // a flat sheet of several triangles
 
 // The triangles of the mesh in pieces with a fault, ascending.
 std::vector<Index> trianglesOf(const Diagnosis& diagnosis, bool (*hasFault)(const SurfacePiece&));

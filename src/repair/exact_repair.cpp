@@ -2,6 +2,7 @@
 #include "repair/exact_repair.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "base/error.h"
@@ -10,21 +11,34 @@
 #include "geometry/triangle.h"
 #include "measure/self_intersections.h"
 #include "mesh/used_vertices.h"
+#include "repair/body_union.h"
 #include "repair/diagnosis.h"
 #include "repair/holes/turn_over.h"
 #include "repair/ladder.h"
 #include "repair/stitch.h"
-#include "repair/united.h"
 
 namespace remesher {
 
 namespace {
 
+// Of the first triangles; those given twice count once.
 double areaOf(const TriangleMesh& mesh, std::size_t triangles) {
+  const std::vector<Index> first = weld(mesh.positions);
+  std::vector<std::array<Index, 4>> places;  // three sorted, and the triangle
+  for (Index t = 0; t < triangles; ++t) {
+    const Index* v = &mesh.indices[3 * std::size_t{t}];
+    std::array<Index, 4> own = {first[v[0]], first[v[1]], first[v[2]], t};
+    std::sort(own.begin(), own.begin() + 3);
+    places.push_back(own);
+  }
+  std::sort(places.begin(), places.end());
   double sum = 0;
-  for (std::size_t i = 0; i < 3 * triangles; i += 3)
-    sum += area(mesh.positions[mesh.indices[i]], mesh.positions[mesh.indices[i + 1]],
-                mesh.positions[mesh.indices[i + 2]]);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const auto [a, b, c, triangle] = places[i];
+    const bool isRepeated =
+        i > 0 && std::equal(places[i].begin(), places[i].begin() + 3, places[i - 1].begin());
+    if (!isRepeated) sum += area(mesh.positions[a], mesh.positions[b], mesh.positions[c]);
+  }
   return sum;
 }
 
@@ -69,38 +83,6 @@ void faceOutwards(ExactRepair& repair, const Diagnosis& diagnosis) {
                      repair.mesh.indices.begin() + std::ptrdiff_t(3 * triangles[i + 1]));
 }
 
-// Some triangles of a mesh, with their numbers there.
-struct Selected {
-  TriangleMesh mesh;
-  std::vector<Index> triangles;
-};
-
-// The triangles that have this mark.
-Selected selected(const TriangleMesh& mesh, const std::vector<char>& marks, char mark) {
-  Selected part{mesh, {}};
-  part.mesh.indices.clear(), part.mesh.groups.clear();
-  part.mesh.isQuads = false;
-  for (Index t = 0; t < mesh.triangleCount(); ++t) {
-    if (marks[t] != mark) continue;
-    const Index* v = &mesh.indices[3 * std::size_t{t}];
-    part.mesh.indices.insert(part.mesh.indices.end(), v, v + 3);
-    part.triangles.push_back(t);
-    if (!mesh.groups.empty()) part.mesh.groups.push_back(mesh.groups[t]);
-  }
-  return part;
-}
-
-void append(TriangleMesh& mesh, const TriangleMesh& more) {
-  const Index offset = Index(mesh.positions.size());
-  mesh.positions.insert(mesh.positions.end(), more.positions.begin(), more.positions.end());
-  for (const Index v : more.indices) mesh.indices.push_back(v + offset);
-  mesh.groups.insert(mesh.groups.end(), more.groups.begin(), more.groups.end());
-  for (std::size_t a = 0; a < mesh.attributes.size(); ++a)
-    mesh.attributes[a].values.insert(mesh.attributes[a].values.end(),
-                                     more.attributes[a].values.begin(),
-                                     more.attributes[a].values.end());
-}
-
 // A corner of each closed piece of which nothing is used.
 std::vector<Vec3> hiddenAt(const Diagnosis& diagnosis, const std::vector<char>& isUsed) {
   const auto& [ofFace, pieces] = diagnosis.pieces;
@@ -116,23 +98,44 @@ std::vector<Vec3> hiddenAt(const Diagnosis& diagnosis, const std::vector<char>& 
   return corners;
 }
 
-// The closed pieces as one outside; false if that is not sound.
+// Sets triangles aside for another way of repair.
+void leaveUndecided(ExactRepair& repair, SelectedTriangles triangles) {
+  keepUsedVertices(triangles.mesh);
+  if (repair.undecided.indices.empty())
+    repair.undecided = std::move(triangles.mesh);
+  else
+    append(repair.undecided, triangles.mesh);
+}
+
+// Per triangle 1 if its number is in the list, else 0.
+std::vector<Index> markedOf(const TriangleMesh& mesh, const std::vector<Index>& triangles) {
+  std::vector<Index> marks(mesh.triangleCount(), 0);
+  for (const Index t : triangles) marks[t] = 1;
+  return marks;
+}
+
+// Their numbers among the selected triangles.
+std::vector<Index> numbersIn(const SelectedTriangles& selected,
+                             const std::vector<Index>& triangles) {
+  std::vector<Index> numbers;
+  auto at = selected.triangles.begin();
+  for (const Index t : triangles) {
+    at = std::lower_bound(at, selected.triangles.end(), t);
+    if (at == selected.triangles.end()) break;
+    if (*at == t) numbers.push_back(Index(at - selected.triangles.begin()));
+  }
+  return numbers;
+}
+
+// The closed pieces as one outside; false if none of them has a sound one.
 bool unite(ExactRepair& repair, const Diagnosis& diagnosis) {
-  std::vector<char> isOpen(repair.mesh.triangleCount(), 0);
-  if (diagnosis.unbalanced > 0)
-    for (const Index t : trianglesOf(diagnosis, isSheet)) isOpen[t] = 1;
-  const Selected bodies = selected(repair.mesh, isOpen, 0),
-                 sheets = selected(repair.mesh, isOpen, 1);
-  std::optional<United> outside = united(bodies.mesh);
-  if (!outside || countUnbalancedEdges(outside->mesh) > 0) {
-    fires("exact repair: the union is not closed");
-    return false;
-  }
-  if (double(outside->crossings.size()) >
-      ladder::kMostCrossingsLeft * double(diagnosis.crossings.size())) {
-    fires("exact repair: the union intersects itself");
-    return false;
-  }
+  std::vector<Index> open;
+  if (diagnosis.unbalanced > 0) open = trianglesOf(diagnosis, isSheet);
+  const std::vector<Index> isOpen = markedOf(repair.mesh, open);
+  const SelectedTriangles bodies = selected(repair.mesh, isOpen, 0),
+                          sheets = selected(repair.mesh, isOpen, 1);
+  std::optional<BodyUnion> outside = unionOf(bodies.mesh, numbersIn(bodies, diagnosis.crossings));
+  if (!outside) return false;
   repair.way = ExactRepair::Way::United;
   std::vector<char> isUsed(repair.mesh.triangleCount(), 0), isWall(isUsed);
   for (const Index t : trianglesOf(diagnosis, isCavity)) isWall[t] = 1;
@@ -140,7 +143,11 @@ bool unite(ExactRepair& repair, const Diagnosis& diagnosis) {
     isUsed[bodies.triangles[parent]] = 1;
     repair.isOfCavity.push_back(isWall[bodies.triangles[parent]]);
   }
+  for (const Index t : outside->undecided) isUsed[bodies.triangles[t]] = 1;
   repair.hiddenAt = hiddenAt(diagnosis, isUsed);
+  if (!outside->undecided.empty()) {
+    leaveUndecided(repair, selected(bodies.mesh, markedOf(bodies.mesh, outside->undecided), 1));
+  }
   repair.mesh = std::move(outside->mesh);
   repair.crossings = std::move(outside->crossings);
   if (sheets.triangles.empty()) return true;
@@ -148,6 +155,17 @@ bool unite(ExactRepair& repair, const Diagnosis& diagnosis) {
   repair.isOfCavity.resize(repair.mesh.triangleCount(), 0);
   keepUsedVertices(repair.mesh);
   repair.crossings = selfIntersections(repair.mesh);
+  return true;
+}
+
+// Sets the sheets aside; false if there is nothing else.
+bool keepBodies(ExactRepair& repair, const Diagnosis& diagnosis) {
+  const std::vector<Index> isOpen = markedOf(repair.mesh, trianglesOf(diagnosis, isSheet));
+  SelectedTriangles bodies = selected(repair.mesh, isOpen, 0);
+  if (bodies.triangles.empty()) return false;
+  leaveUndecided(repair, selected(repair.mesh, isOpen, 1));
+  repair.mesh = std::move(bodies.mesh);
+  repair.sheetsAt.clear();
   return true;
 }
 
@@ -208,12 +226,15 @@ std::optional<ExactRepair> exactlyRepaired(const TriangleMesh& input, const Exac
     }
     result.way = ExactRepair::Way::Closed;
     if (countUnbalancedEdges(result.mesh) > 0) result = withLoopsClosed(result.mesh, rule.loops);
+    // A disk over a straight loop has no area, either.
+    if (!haveAreas(result.mesh)) stitchOpenEdges(result.mesh);
     if (rule.bodies) makeBodies(result, *rule.bodies);
     diagnosis = diagnose(result.mesh);
   }
   if (!result.sheetsAt.empty() && openShare(diagnosis) > ladder::kMostSheets) {
     fires("exact repair: too much is open");
-    return std::nullopt;
+    if (!keepBodies(result, diagnosis)) return std::nullopt;
+    diagnosis = diagnose(result.mesh);
   }
   faceOutwards(result, diagnosis);
   const bool hasShells = !cornersOf(diagnosis, isShell).empty();
@@ -240,7 +261,8 @@ void fillCavities(ExactRepair& repair, Filled filled) {
   const BuiltMesh built = buildMesh(repair.mesh);
   const std::vector<char> isCrossed(repair.mesh.triangleCount(), 0);
   const auto [ofFace, pieces] = piecesOf(built, isCrossed);
-  std::vector<char> isFilled(pieces.size(), 0), isWall(repair.mesh.triangleCount(), 0);
+  std::vector<char> isFilled(pieces.size(), 0);
+  std::vector<Index> isWall(repair.mesh.triangleCount(), 0);
   for (std::size_t p = 0; p < pieces.size(); ++p) isFilled[p] = isCavity(pieces[p]);
   for (Index f = 0; f < ofFace.size() && filled == Filled::Made; ++f)
     if (repair.isOfCavity[built.triangles[Face(f)]]) isFilled[ofFace[f]] = 0;

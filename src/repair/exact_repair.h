@@ -33,6 +33,9 @@ struct ExactRepair {
   std::vector<Vec3> noBaseAt;       // of sheets that got no base, see SheetBodies
   std::size_t crossingsBefore = 0;  // triangles of the input that intersect others
   std::vector<Index> crossings;     // and of the result
+  // What has no exact outside while the rest has: most of it is sheets, or its union would not be
+  // sound. Not in `mesh`; without triangles if all is decided.
+  TriangleMesh undecided;
   // Per triangle of the result, if bodies were united: whether it bounded a cavity before.
   std::vector<char> isOfCavity;
 };
@@ -42,8 +45,8 @@ struct ExactRule {
   std::optional<BodyRule> bodies = {};  // that are made of what stays open
 };
 
-// None where the surface has no exact outside: where most of it is sheets, or where the result of
-// uniting would not be sound. Throws Error as buildMesh does.
+// None where nothing of the surface has an exact outside: where it is sheets, or where no result of
+// uniting would be sound. Throws Error as buildMesh does.
 std::optional<ExactRepair> exactlyRepaired(const TriangleMesh& input, const ExactRule& rule = {});
 
 // Only closes loops, and turns closed pieces that are inside out. Throws the Errors of closeHoles.

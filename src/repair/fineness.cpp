@@ -57,7 +57,7 @@ double bytesOf(const Extent& extent, const Grid& grid) {
 }
 
 double gapOf(const RemeshOptions& options, double diagonal) {
-  return options.gap.value_or(kUsualGap) / 100 * diagonal;
+  return usualGap(options) / 100 * diagonal;
 }
 
 Grid gridFor(const Extent& extent, const RemeshOptions& options, InsideBy by) {
@@ -90,6 +90,8 @@ std::string inWords(double bytes) {
 }
 
 }  // namespace
+
+double usualGap(const RemeshOptions& options) { return options.gap.value_or(kUsualGap); }
 
 double wishedSpacing(const Extent& extent, const RemeshOptions& options) {
   double edge = 2 * kUsual * extent.diagonal();

@@ -11,6 +11,9 @@
 
 namespace remesher {
 
+// The gap of a wrap in percent of the diagonal: the one asked for, or a usual one.
+double usualGap(const RemeshOptions& options);
+
 // Half the target edge length; without one, a usual share of the diagonal.
 double wishedSpacing(const Extent& extent, const RemeshOptions& options);
 

@@ -34,6 +34,12 @@ double sixfoldVolume(const Triangle& t, const Vec3& apex) {
   return (t[0] - apex).dot((t[1] - apex).cross(t[2] - apex));
 }
 
+bool areParallel(const Triangle& s, const Triangle& t) {
+  constexpr double kFlat = 0.999;  // cosine
+  const Vec3 one = areaVector(s[0], s[1], s[2]), other = areaVector(t[0], t[1], t[2]);
+  return std::abs(one.dot(other)) >= kFlat * one.norm() * other.norm();
+}
+
 class PieceFinder {
  public:
   PieceFinder(const BuiltMesh& built, std::span<const char> isCrossed)
@@ -86,6 +92,7 @@ class PieceFinder {
       for (const Vec3& p : t) piece.box.extend(p);
       ++piece.faces;
       piece.area += area(t[0], t[1], t[2]);
+      piece.isFlat = piece.isFlat && areParallel(t, triangle(seed));
       piece.volume += sixfoldVolume(t, triangle(seed)[0]) / 6;
       for (int k = 0; k < 3; ++k)
         if (built_.mesh.isBoundary(HalfedgeMesh::halfedge(Face(f), k)))

@@ -16,6 +16,7 @@ struct SurfacePiece {
   // behind it.
   enum class Kind { Open, Solid, Cavity, Shell };
   Kind kind = Kind::Open;
+  bool isFlat = true;        // all faces are turned the same way, nearly
   bool isInsideOut = false;  // a closed piece that faces the other way than its kind should
   double volume = 0;         // signed; positive if it faces outwards. Of open pieces: not defined
   double area = 0;

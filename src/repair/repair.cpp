@@ -2,18 +2,22 @@
 #include "repair/repair.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "base/error.h"
 #include "base/fires.h"
 #include "base/place.h"
+#include "geometry/extent.h"
 #include "geometry/triangle.h"
 #include "geometry/triangle_meeting.h"
 #include "measure/self_intersections.h"
 #include "mesh/joining.h"
 #include "mesh/used_vertices.h"
+#include "repair/body_union.h"
 #include "repair/diagnosis.h"
 #include "repair/exact_repair.h"
 #include "repair/fineness.h"
@@ -98,6 +102,13 @@ void warnOfSheets(RepairedMesh& result, Sheets sheets, std::size_t count) {
           "Sheets, which enclose nothing, became thin solids behind their visible side.", count});
 }
 
+void warnOfHidden(RepairedMesh& result, const std::vector<Vec3>& hiddenAt) {
+  warn(result,
+       {"HIDDEN_BODIES_REMOVED", "Bodies were removed that lie inside others and are not seen.",
+        hiddenAt.size()},
+       hiddenAt);
+}
+
 // The report and the warnings of the exact steps.
 RepairedMesh asRepaired(ExactRepair exact, const char* mode) {
   RepairedMesh result;
@@ -127,10 +138,7 @@ RepairedMesh asRepaired(ExactRepair exact, const char* mode) {
         "with the surface beside a hole, and those given twice.",
         exact.trianglesRemoved},
        exact.removedAt);
-  warn(result,
-       {"HIDDEN_BODIES_REMOVED", "Bodies were removed that lie inside others and are not seen.",
-        exact.hiddenAt.size()},
-       exact.hiddenAt);
+  warnOfHidden(result, exact.hiddenAt);
   warn(result,
        {"CAVITIES_FILLED", "Cavities that are not seen from outside were filled.",
         exact.filledAt.size()},
@@ -205,11 +213,20 @@ bool isClear(const Enclosure& enclosure) {
          enclosure.isAny;
 }
 
+// Triangles that intersect others, but for those of cards: flat open pieces of several triangles.
+double countCrossed(const Diagnosis& diagnosis) {
+  const std::vector<Index> cards = trianglesOf(diagnosis, isCard);
+  std::size_t crossed = 0;
+  for (const Index t : diagnosis.crossings)
+    crossed += std::size_t(!std::binary_search(cards.begin(), cards.end(), t));
+  return double(crossed);
+}
+
 // Whether hardly anything but sheets is there, such as cards or a terrain: open pieces that are
 // seen from both sides. Triangles that share no edges, or most of which intersect others, are none.
 bool isOfSheets(const TriangleMesh& input, const RemeshOptions& options) {
   const Diagnosis diagnosis = diagnose(input);
-  const double crossed = double(diagnosis.crossings.size());
+  const double crossed = countCrossed(diagnosis);
   if (isLoose(input) || crossed > ladder::kMostSheetsCrossed * double(input.triangleCount()) ||
       openShare(diagnosis) < ladder::kNearlyAllSheets)
     return false;
@@ -245,8 +262,10 @@ RepairedMesh remade(const TriangleMesh& input, const RemeshOptions& options) {
   std::optional<SolidGround> ground(std::in_place, input,
                                     ruleFor(input, options, InsideBy::Enclosure));
   fires("repair: lattice, since there is no exact outside");
-  if (isClear(ground->enclosure()))
+  if (isClear(ground->enclosure())) {
+    fires("repair: bodies made by a lattice");
     return because("enclosed", solidified(ground->solid(), input, options));
+  }
   ground.reset();  // a wrap takes as much memory again
   if (isOfSheets(input, options)) {
     fires("repair: sheets left as they are");
@@ -269,16 +288,117 @@ RepairedMesh withBroken(const RemeshOptions& options, RepairedMesh result) {
   return result;
 }
 
+double areaOfAll(const TriangleMesh& mesh) { return extentOf(mesh).area; }
+
+// The gap is a share of the diagonal of all, not of the part.
+RemeshOptions forPart(const TriangleMesh& part, const TriangleMesh& all, RemeshOptions options) {
+  const double ratio = diagonalOf(all) / diagonalOf(part);
+  if (std::isfinite(ratio)) options.gap = usualGap(options) * ratio;
+  return options;
+}
+
+// The report of both; what the second says of the first one's sheets and loops stays.
+void addReport(RepairedMesh& result, const RepairedMesh& rest, double restShare) {
+  RepairReport& sum = result.report;
+  sum.lost = (1 - restShare) * sum.lost + restShare * rest.report.lost;
+  sum.shells += rest.report.shells;
+  sum.turned += rest.report.turned;
+  sum.lostAt = rest.report.lostAt;
+  if (rest.isRemade) {
+    sum.mode = rest.report.mode;
+    sum.reason = "partly";
+  } else if (sum.reason == "closed" && sum.holes + sum.turned == 0) {
+    sum.reason = rest.report.reason;
+  }
+  std::erase_if(result.warnings,
+                [](const PlacedWarning& own) { return own.warning.code == "CROSSINGS_LEFT"; });
+  for (const PlacedWarning& more : rest.warnings)
+    if (more.warning.code != "CROSSINGS_LEFT") result.warnings.push_back(more);
+}
+
+// Per triangle its positions by number, the first of them first; sorted.
+std::vector<std::array<Index, 3>> sortedTriangles(std::span<const Index> corners,
+                                                  const std::vector<Index>& positionOf) {
+  std::vector<std::array<Index, 3>> triangles;
+  for (std::size_t i = 0; i < corners.size(); i += 3) {
+    std::array<Index, 3> t = {positionOf[corners[i]], positionOf[corners[i + 1]],
+                              positionOf[corners[i + 2]]};
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    triangles.push_back(t);
+  }
+  std::sort(triangles.begin(), triangles.end());
+  return triangles;
+}
+
+// Whether both have the same triangles, in whichever order.
+bool haveSameTriangles(const TriangleMesh& one, const TriangleMesh& other) {
+  if (one.indices.size() != other.indices.size()) return false;
+  TriangleMesh both = one;
+  append(both, other);
+  const std::vector<Index> first = weld(both.positions);
+  const auto corners = std::span<const Index>(both.indices);
+  return sortedTriangles(corners.first(one.indices.size()), first) ==
+         sortedTriangles(corners.subspan(one.indices.size()), first);
+}
+
+// What was mended exactly together with what a lattice made of the rest, or with sheets as they
+// were. None if both cannot be united.
+std::optional<RepairedMesh> withRest(RepairedMesh result, const TriangleMesh& rest,
+                                     const TriangleMesh& input, const RemeshOptions& options) {
+  RepairedMesh made = remade(rest, forPart(rest, input, options));
+  const double decided = areaOfAll(result.mesh), undecided = areaOfAll(rest);
+  addReport(result, made, undecided / (decided + undecided));
+  result.report.lostBeyond = made.report.lostBeyond * diagonalOf(rest) / diagonalOf(input);
+  result.isRemade = made.isRemade;
+  append(result.mesh, made.mesh);
+  if (!made.isRemade) {
+    if (haveSameTriangles(result.mesh, input)) result.mesh = input;
+    warnOfCrossings(result, selfIntersections(result.mesh));
+    return result;
+  }
+  std::optional<ExactRepair> joined = exactlyRepaired(result.mesh);
+  if (!joined || !joined->undecided.indices.empty()) {
+    fires("repair: the lattice's bodies cannot be united with the others");
+    return std::nullopt;
+  }
+  if (!options.cavities) fillCavities(*joined, Filled::Made);
+  result.mesh = std::move(joined->mesh);
+  result.report.shells += joined->hiddenAt.size();
+  warnOfHidden(result, joined->hiddenAt);
+  const std::size_t remadeTriangles = rest.triangleCount();
+  warn(result,
+       {"REMADE_IN_PART",
+        "Triangles of bodies without an exact outside were replaced by a lattice's surface. All "
+        "others are as they were, or mended exactly.",
+        remadeTriangles},
+       firstOf(rest, {0}));
+  warnOfCrossings(result, joined->crossings);
+  return result;
+}
+
 RepairedMesh automatic(const TriangleMesh& input, const RemeshOptions& options) {
   std::optional<ExactRepair> exact = exactlyRepaired(
       input, {loopRule(input, options, ladder::kMostDisk), bodyRule(input, options)});
   if (!exact) return withBroken(options, remade(input, options));
   if (!options.cavities) fillCavities(*exact, Filled::Made);
-  return because(reasonOf(*exact), asRepaired(std::move(*exact), modeOf(*exact)));
+  const TriangleMesh rest = std::move(exact->undecided);
+  const char* const reason = reasonOf(*exact);
+  const char* const mode = modeOf(*exact);
+  RepairedMesh result = because(reason, asRepaired(std::move(*exact), mode));
+  if (rest.indices.empty()) return result;
+  std::optional<RepairedMesh> whole = withRest(std::move(result), rest, input, options);
+  return withBroken(options, whole ? std::move(*whole) : remade(input, options));
+}
+
+// The exact steps where they decide everything.
+std::optional<ExactRepair> whollyRepaired(const TriangleMesh& input) {
+  std::optional<ExactRepair> exact = exactlyRepaired(input);
+  if (exact && !exact->undecided.indices.empty()) return std::nullopt;
+  return exact;
 }
 
 RepairedMesh solid(const TriangleMesh& input, const RemeshOptions& options) {
-  if (std::optional<ExactRepair> exact = exactlyRepaired(input)) {
+  if (std::optional<ExactRepair> exact = whollyRepaired(input)) {
     if (exact->sheetsAt.empty()) {
       if (!options.cavities) fillCavities(*exact, Filled::All);
       return asRepaired(std::move(*exact), "solid");
@@ -311,12 +431,14 @@ TriangleMesh stitched(const TriangleMesh& input) {
 
 // Which repair mends it, without the work of the lattice's surface.
 Repair repairFor(const TriangleMesh& input) {
-  if (const std::optional<ExactRepair> exact = exactlyRepaired(input))
+  const std::optional<ExactRepair> exact = exactlyRepaired(input);
+  if (exact && exact->undecided.indices.empty())
     return exact->way == ExactRepair::Way::United ? Repair::Solid : Repair::Holes;
   RemeshOptions coarse;
   coarse.vertices = 1;
-  const SolidRule rule = ruleFor(input, coarse, InsideBy::Enclosure);
-  return isClear(enclosureOf(input, rule)) ? Repair::Solid : Repair::Wrap;
+  const TriangleMesh& rest = exact ? exact->undecided : input;
+  const SolidRule rule = ruleFor(rest, coarse, InsideBy::Enclosure);
+  return isClear(enclosureOf(rest, rule)) ? Repair::Solid : Repair::Wrap;
 }
 
 }  // namespace
@@ -347,7 +469,7 @@ FaultReport faultsOf(const TriangleMesh& input) {
 std::optional<RepairedMesh> exactBodies(const TriangleMesh& input) {
   const TriangleMesh mesh = haveAreas(input) ? input : stitched(input);
   if (mesh.indices.empty()) return std::nullopt;
-  std::optional<ExactRepair> exact = exactlyRepaired(mesh);
+  std::optional<ExactRepair> exact = whollyRepaired(mesh);
   if (!exact || !exact->sheetsAt.empty() || countUnbalancedEdges(exact->mesh) > 0)
     return std::nullopt;
   const char* const reason = reasonOf(*exact);

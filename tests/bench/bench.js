@@ -8,6 +8,7 @@
 //   npm run bench -- scale [--markdown FILE]                                   a large model
 //   npm run bench -- large [case…]     millions of triangles, beside meshoptimizer; takes minutes
 //   npm run bench -- parts [--models FOLDER] [case…]     machine parts, beside other programs
+//   npm run bench -- mended [--json FILE] [FOLDER…]     broken files: what repair makes of each
 //   npm run bench -- page --models FOLDER [--runs N]          how long visitors of the page wait
 //   npm run bench -- quads --models FOLDER [case…]                          quads, by one evaluator
 //   npm run bench -- repair [--models FOLDER] [--json FILE] [--wrap] [case…]   broken surfaces
@@ -24,6 +25,7 @@ import { runBake } from './bake.js';
 import { runCases } from './cases.js';
 import { runFires } from './fires.js';
 import { runLarge } from './large.js';
+import { runMended } from './mended.js';
 import { runPage } from './page.js';
 import { runParts } from './parts.js';
 import { runQuads } from './quads.js';
@@ -59,6 +61,8 @@ function run() {
     case 'bake': return runBake(limits.bake, rest[0] ?? values.models);
     case 'scale': return runScale(limits.scale);
     case 'large': return runLarge(limits.large, rest);
+    case 'mended':
+      return runMended([values.models, ...rest].filter(Boolean), values.json);
     case 'page':
       return runPage(limits.page, { folder: values.models, runs: Number(values.runs) });
     case 'parts': return runParts(limits.parts, { folder: values.models, names: rest });

@@ -293,6 +293,7 @@ export default {
   'reason.united': 'Bodies that intersect were united exactly.',
   'reason.made': 'Sheets became closed bodies.',
   'reason.sheets': 'Sheets were left as they are.',
+  'reason.partly': 'Only what has no exact outside was remade by a lattice.',
   'reason.enclosed': 'Remade by a lattice around bodies.',
   'reason.open': 'Remade by a lattice.',
   'choice.sheets.thicken': 'make them thin solids',

@@ -336,11 +336,11 @@
  * What repair did.
  * @typedef {object} RepairSummary
  * @property {string} mode How the mesh was repaired.
- * @property {'asked' | 'sound' | 'closed' | 'united' | 'made' | 'sheets' | 'enclosed' | 'open'}
- *   reason Why in that mode: it was asked for; nothing was wrong, and the mesh is unchanged; the
- *   surface is sound once its loops are closed; bodies that intersect were united exactly; sheets
- *   became bodies; sheets, which enclose nothing, were left; a lattice found bodies; a lattice
- *   found the outside.
+ * @property {'asked' | 'sound' | 'closed' | 'united' | 'made' | 'sheets' | 'partly' | 'enclosed'
+ *   | 'open'} reason Why in that mode: it was asked for; nothing was wrong, and the mesh is
+ *   unchanged; the surface is sound once its loops are closed; bodies that intersect were united
+ *   exactly; sheets became bodies; sheets, which enclose nothing, were left; a lattice remade only
+ *   what has no exact outside; a lattice found bodies; a lattice found the outside.
  * @property {number} holes Open loops closed.
  * @property {number} islands Small open components removed.
  * @property {number} shells Bodies inside others, removed because nobody sees them.

@@ -91,6 +91,7 @@ const reasons = {
   united: 'bodies that intersect were united exactly',
   made: 'sheets became bodies',
   sheets: 'sheets enclose nothing and were left as they are',
+  partly: 'what has no exact outside was remade by a lattice, all else was mended exactly',
   enclosed: 'remade as a lattice surface that encloses the visible bodies',
   open: 'remade as a lattice surface around the input, which encloses nothing clearly',
 };

@@ -139,6 +139,9 @@ KeptSurface withoutPinches(Selection& selection, std::vector<Vec3>& places) {
 // An open component with less than this share of the largest component's area is debris of a torn
 // surface; closing it would make a flake.
 constexpr double kDebrisShare = 0.01;
+// Where all such components together have more than this share of the area they are what is shown,
+// such as leaves.
+constexpr double kMostDebris = 0.05;
 
 struct FoundDebris {
   FaceData<char> faces;
@@ -156,9 +159,16 @@ FoundDebris debrisOf(const BuiltMesh& built) {
       if (built.mesh.isBoundary(HalfedgeMesh::halfedge(Face(f), k))) isOpen[root] = 1;
   }
   const double largest = *std::max_element(areas.begin(), areas.end());
-  const auto isDebris = [&](Index root) {
+  const auto isSmall = [&](Index root) {
     return isOpen[root] && areas[root] < kDebrisShare * largest;
   };
+  double all = 0, small = 0;
+  for (Index v = 0; v < areas.size(); ++v) {
+    all += areas[v];
+    if (isSmall(v)) small += areas[v];
+  }
+  const bool isShown = small > kMostDebris * all;
+  const auto isDebris = [&](Index root) { return !isShown && isSmall(root); };
   FoundDebris debris{FaceData<char>(built.mesh.faceCapacity(), 0), {}};
   for (Index f = 0; f < built.mesh.faceCapacity(); ++f)
     debris.faces[Face(f)] = isDebris(components.find(built.mesh.vertices(Face(f))[0].index));

@@ -161,6 +161,25 @@ export class BoxTree {
     return sum;
   }
 
+  /** Whether a ray meets any triangle. @param {number[]} start @param {number[]} direction */
+  isMetBy(start, direction) {
+    const stack = this.nodes.length > 0 ? [0] : [];
+    while (stack.length > 0) {
+      const { box, left, right, from, to } = this.nodes[stack.pop()];
+      if (!rayMeetsBox(start, direction, box)) continue;
+      if (left >= 0) {
+        stack.push(left, right);
+        continue;
+      }
+      for (let i = from; i < to; i += 1) {
+        if (rayThrough(start, direction, this.corners.subarray(9 * this.order[i])) !== 0) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
   /** The distance from a point to the nearest triangle. @param {ArrayLike<number>} p */
   distance(p) {
     let best = Infinity;

@@ -170,6 +170,8 @@ export default {
     + 'behalten“ '
     + 'bleiben sie offen.',
   'warning.RIMS_LEFT_OPEN': 'Schleifen, die gewollt aussehen, blieben offen.',
+  'warning.REMADE_IN_PART': 'Körper ohne exaktes Äußeres wurden mit einem Gitter neu gemacht. Alle '
+    + 'anderen Dreiecke sind, wie sie waren, oder exakt repariert.',
   'warning.RIMS_NOT_KEPT': 'Ein Gitter hat die Fläche neu gemacht, und es lässt keine '
     + 'Schleife offen.',
   'warning.SHEETS_MADE_BODIES': 'Aus Blättern wurden geschlossene Körper.',

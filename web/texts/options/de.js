@@ -120,6 +120,7 @@ export default {
   'repair.bodies': '{count} Blätter zu geschlossenen Körpern gemacht',
   'reason.made': 'Aus Blättern wurden geschlossene Körper.',
   'reason.sheets': 'Blätter blieben, wie sie waren.',
+  'reason.partly': 'Nur was kein exaktes Äußeres hat, wurde mit einem Gitter neu gemacht.',
   'reason.enclosed': 'Mit einem Gitter um Körper neu gemacht.',
   'reason.open': 'Mit einem Gitter neu gemacht.',
 };

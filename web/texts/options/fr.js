@@ -126,6 +126,7 @@ export default {
   'repair.bodies': '{count} feuilles devenues des corps fermés',
   'reason.made': 'Les feuilles sont devenues des corps fermés.',
   'reason.sheets': 'Les feuilles sont restées telles quelles.',
+  'reason.partly': 'Seul ce qui n’a pas d’extérieur exact a été refait par une grille.',
   'reason.enclosed': 'Refaite par une grille autour des corps.',
   'reason.open': 'Refaite par une grille.',
 };

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "repair/body_union.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "base/disjoint_sets.h"
+#include "base/fires.h"
+#include "mesh/used_vertices.h"
+#include "repair/ladder.h"
+#include "repair/loose_pieces.h"
+#include "repair/stitch.h"
+#include "repair/united.h"
+
+namespace remesher {
+
+namespace {
+
+// The union of all of them; none if that is not sound.
+std::optional<United> soundUnion(const TriangleMesh& bodies, std::size_t crossingsBefore) {
+  std::optional<United> outside = united(bodies);
+  if (!outside || countUnbalancedEdges(outside->mesh) > 0) {
+    fires("exact repair: the union is not closed");
+    return std::nullopt;
+  }
+  if (double(outside->crossings.size()) > ladder::kMostCrossingsLeft * double(crossingsBefore)) {
+    fires("exact repair: the union intersects itself");
+    return std::nullopt;
+  }
+  return outside;
+}
+
+// Per triangle the group of bodies whose boxes meet, from 0 on in the order of first triangles.
+std::vector<Index> groupsOf(const TriangleMesh& bodies) {
+  const LoosePieces pieces(bodies.positions, bodies.indices);
+  const std::vector<LoosePiece>& all = pieces.all();
+  std::vector<Index> order(all.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Index p, Index q) { return all[p].box.low.x() < all[q].box.low.x(); });
+  DisjointSets sets(all.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+    for (std::size_t k = i + 1; k < order.size(); ++k) {
+      const Box &one = all[order[i]].box, &other = all[order[k]].box;
+      if (other.low.x() > one.high.x()) break;
+      if ((one.low.array() <= other.high.array()).all() &&
+          (other.low.array() <= one.high.array()).all())
+        sets.unite(order[i], order[k]);
+    }
+  std::vector<Index> numbers(all.size(), kNone), groups;
+  Index count = 0;
+  for (const Index piece : pieces.ofTriangles()) {
+    Index& number = numbers[sets.find(piece)];
+    if (number == kNone) number = count++;
+    groups.push_back(number);
+  }
+  return groups;
+}
+
+// Collects the unions of groups of bodies.
+class Collector {
+ public:
+  explicit Collector(const TriangleMesh& bodies) {
+    result_.mesh = bodies;
+    result_.mesh.positions.clear(), result_.mesh.indices.clear(), result_.mesh.groups.clear();
+    result_.mesh.isQuads = false;
+    for (Attribute& attribute : result_.mesh.attributes) attribute.values.clear();
+  }
+
+  void add(SelectedTriangles bodies, std::size_t crossings) {
+    keepUsedVertices(bodies.mesh);
+    std::optional<United> outside = soundUnion(bodies.mesh, crossings);
+    if (!outside) {
+      result_.undecided.insert(result_.undecided.end(), bodies.triangles.begin(),
+                               bodies.triangles.end());
+      return;
+    }
+    const Index before = Index(result_.mesh.triangleCount());
+    for (const Index parent : outside->parents) result_.parents.push_back(bodies.triangles[parent]);
+    for (const Index t : outside->crossings) result_.crossings.push_back(before + t);
+    append(result_.mesh, outside->mesh);
+  }
+
+  std::optional<BodyUnion> taken() {
+    if (result_.mesh.indices.empty()) return std::nullopt;
+    std::sort(result_.undecided.begin(), result_.undecided.end());
+    return std::move(result_);
+  }
+
+ private:
+  BodyUnion result_;
+};
+
+// Group by group; all groups without crossings together.
+std::optional<BodyUnion> unionByGroup(const TriangleMesh& bodies,
+                                      std::span<const Index> crossings) {
+  std::vector<Index> groups = groupsOf(bodies);
+  const Index count = groups.empty() ? 0 : 1 + *std::max_element(groups.begin(), groups.end());
+  if (count < 2) return std::nullopt;
+  fires("exact repair: united group by group");
+  std::vector<std::size_t> crossed(count, 0);
+  for (const Index t : crossings) ++crossed[groups[t]];
+  for (Index& group : groups)
+    if (crossed[group] == 0) group = count;
+  Collector collector(bodies);
+  if (SelectedTriangles clear = selected(bodies, groups, count); !clear.triangles.empty())
+    collector.add(std::move(clear), 0);
+  for (Index group = 0; group < count; ++group)
+    if (crossed[group] > 0) collector.add(selected(bodies, groups, group), crossed[group]);
+  return collector.taken();
+}
+
+}  // namespace
+
+std::optional<BodyUnion> unionOf(const TriangleMesh& bodies, std::span<const Index> crossings) {
+  std::optional<United> whole = soundUnion(bodies, crossings.size());
+  if (!whole) return unionByGroup(bodies, crossings);
+  return BodyUnion{
+      std::move(whole->mesh), std::move(whole->parents), std::move(whole->crossings), {}};
+}
+
+SelectedTriangles selected(const TriangleMesh& mesh, std::span<const Index> marks, Index mark) {
+  SelectedTriangles part{mesh, {}};
+  part.mesh.indices.clear(), part.mesh.groups.clear();
+  part.mesh.isQuads = false;
+  for (Index t = 0; t < mesh.triangleCount(); ++t) {
+    if (marks[t] != mark) continue;
+    const Index* v = &mesh.indices[3 * std::size_t{t}];
+    part.mesh.indices.insert(part.mesh.indices.end(), v, v + 3);
+    part.triangles.push_back(t);
+    if (!mesh.groups.empty()) part.mesh.groups.push_back(mesh.groups[t]);
+  }
+  return part;
+}
+
+void append(TriangleMesh& mesh, const TriangleMesh& more) {
+  const Index offset = Index(mesh.positions.size());
+  mesh.positions.insert(mesh.positions.end(), more.positions.begin(), more.positions.end());
+  for (const Index v : more.indices) mesh.indices.push_back(v + offset);
+  mesh.groups.insert(mesh.groups.end(), more.groups.begin(), more.groups.end());
+  for (std::size_t a = 0; a < mesh.attributes.size(); ++a)
+    mesh.attributes[a].values.insert(mesh.attributes[a].values.end(),
+                                     more.attributes[a].values.begin(),
+                                     more.attributes[a].values.end());
+}
+
+}  // namespace remesher

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "repair/body_union.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <set>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "measure/mesh_report.h"
+#include "measure/self_intersections.h"
+#include "repair/repair.h"
+#include "repair/stitch.h"
+#include "support/shapes.h"
+#include "support/soups.h"
+
+using namespace remesher;
+
+namespace {
+
+RepairedMesh repairedByAuto(const TriangleMesh& mesh) {
+  RemeshOptions options;
+  options.repair = Repair::Auto;
+  options.edgeLength = 1;  // so that the lattice is the coarsest that there is
+  return repairSurface(mesh, options);
+}
+
+using Place = std::tuple<double, double, double>;
+Place placeOf(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
+
+std::set<std::array<Place, 3>> trianglesAt(const TriangleMesh& mesh) {
+  std::set<std::array<Place, 3>> all;
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+    std::array<Place, 3> t;
+    for (std::size_t k = 0; k < 3; ++k) t[k] = placeOf(mesh.positions[mesh.indices[i + k]]);
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    all.insert(t);
+  }
+  return all;
+}
+
+bool holds(const TriangleMesh& mesh, const TriangleMesh& part) {
+  const auto all = trianglesAt(mesh), own = trianglesAt(part);
+  return std::includes(all.begin(), all.end(), own.begin(), own.end());
+}
+
+bool isSaid(const RepairedMesh& result, const char* code) {
+  return std::any_of(result.warnings.begin(), result.warnings.end(),
+                     [&](const PlacedWarning& one) { return one.warning.code == code; });
+}
+
+TriangleMesh scaledBy(TriangleMesh mesh, double by) {
+  for (Vec3& p : mesh.positions) p *= by;
+  return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("body_union: a lattice remakes only what has no exact outside") {
+  const TriangleMesh ball = shapes::icosphere(3);
+  const TriangleMesh soup = soups::moved(scaledBy(soups::randomSoup(40, 0.5, 3), 4), {9, 0, 0});
+  const RepairedMesh result = repairedByAuto(soups::joined({soup, ball}));
+  CHECK(result.isRemade);
+  CHECK(result.report.reason == "partly");
+  CHECK(holds(result.mesh, ball));
+  CHECK(inspectMesh(result.mesh).boundaryEdges == 0);
+  CHECK(selfIntersections(result.mesh).empty());
+  CHECK(isSaid(result, "REMADE_IN_PART"));
+}
+
+TEST_CASE("body_union: what a lattice makes is united with bodies that it meets") {
+  const TriangleMesh ball = shapes::icosphere(3);
+  const TriangleMesh soup = soups::moved(scaledBy(soups::randomSoup(40, 0.5, 3), 4), {0.5, 0, 0});
+  const RepairedMesh result = repairedByAuto(soups::joined({soup, ball}));
+  CHECK(result.isRemade);
+  CHECK(inspectMesh(result.mesh).boundaryEdges == 0);
+  CHECK(selfIntersections(result.mesh).empty());
+}
+
+TEST_CASE("body_union: bodies and sheets both stay where each is what it is") {
+  const TriangleMesh ball = shapes::icosphere(3);
+  TriangleMesh cards;
+  for (int i = 0; i < 12; ++i) {  // all through each other
+    const Vec3 u = shapes::onCircle(i, 24), v(0, 0, 1), at(5, 0, 0);
+    soups::addQuad(cards, {at - u - v, at + u - v, at + u + v, at - u + v});
+  }
+  const TriangleMesh both = soups::joined({ball, cards});
+  const RepairedMesh result = repairedByAuto(both);
+  CHECK_FALSE(result.isRemade);
+  CHECK(trianglesAt(result.mesh) == trianglesAt(both));
+  CHECK(result.report.reason == "sheets");
+  CHECK(result.report.selfIntersections[1] == selfIntersections(both).size());
+  CHECK(isSaid(result, "SHEETS_LEFT"));
+}
+
+TEST_CASE("body_union: many small cards are no debris, and what is given twice is not lost") {
+  const TriangleMesh stem = shapes::cube(2);
+  TriangleMesh leaves;
+  for (int i = 0; i < 100; ++i) {
+    const Vec3 at(3.0 + 0.3 * (i % 10), 0.3 * (i / 10), 0);
+    soups::addQuad(leaves,
+                   {at, at + Vec3(0.2, 0, 0), at + Vec3(0.2, 0.2, 0), at + Vec3(0, 0.2, 0)});
+  }
+  const TriangleMesh plant = soups::joined({stem, leaves});
+  CHECK(holds(repairedByAuto(plant).mesh, plant));
+  TriangleMesh twice = stem;
+  twice.indices.insert(twice.indices.end(), stem.indices.begin(), stem.indices.end());
+  twice.indices.resize(twice.indices.size() - 3);
+  const RepairedMesh once = repairedByAuto(twice);
+  CHECK(once.report.lost == doctest::Approx(0).epsilon(1e-9));
+  CHECK(trianglesAt(once.mesh) == trianglesAt(stem));
+}
+
+TEST_CASE("body_union: bodies whose union is not sound do not spoil the others") {
+  const TriangleMesh ball = shapes::icosphere(3), other = soups::moved(ball, {0.7, 0.1, 0.2});
+  TriangleMesh tiny = shapes::icosphere(9);  // a step of single precision is a fifth of an edge
+  tiny = soups::joined({tiny, soups::moved(tiny, {0.7, 0.1, 0.2})});
+  tiny = soups::moved(scaledBy(tiny, 0.01), {3000, 0, 0});
+  TriangleMesh bodies = soups::joined({ball, other, tiny});
+  bodies.isSingle = true;
+  for (Vec3& p : bodies.positions) p = p.cast<float>().cast<double>();
+  // As if hardly any of the tiny ones' triangles had met, so that none of the union's may.
+  const std::size_t large = ball.triangleCount() + other.triangleCount();
+  std::vector<Index> crossings = selfIntersections(bodies);
+  crossings.erase(std::upper_bound(crossings.begin(), crossings.end(), Index(large)) + 1,
+                  crossings.end());
+  const std::optional<BodyUnion> found = unionOf(bodies, crossings);
+  REQUIRE(found);
+  CHECK_FALSE(found->undecided.empty());
+  CHECK(std::all_of(found->undecided.begin(), found->undecided.end(),
+                    [&](Index t) { return t >= large; }));
+  CHECK(found->crossings.empty());
+  CHECK(countUnbalancedEdges(found->mesh) == 0);
+  CHECK(inspectMesh(found->mesh).eulerCharacteristic == 2);
+  CHECK(found->parents.size() == found->mesh.triangleCount());
+}
