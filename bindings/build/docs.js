@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Builds the documentation as one site in build/docs: the reference, made from the built package's
 // declarations and the table of options, the recipes and the papers. Any complaint of TypeDoc (a
-// link to nothing, a name without an export) is a failure. A current site is not made again.
-import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
-import { join } from 'node:path';
+// link to nothing, a name without an export) is a failure. Pages with figures that live get their
+// scenes and the engine for arrays. A current site is not made again.
+import { cpSync, existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { basename, join } from 'node:path';
 
 import { addressOf } from './addresses.js';
 import { optionsPage } from './declarations.js';
@@ -34,6 +35,22 @@ const groups = {
 };
 const papers = Object.values(groups).flat();
 
+const scenes = 'web/scenes';
+
+/** The files of the package that only files, Node or the command line need. */
+const notOfArrays = /\.d\.m?ts$|_node|^(cli|files|textures|codecs|adapters)$|^remesher\.|coder|zip/;
+
+/** What a page with figures that live loads: scenes import the package as everyone does. */
+const liveFigures = `<script type="importmap">{ "imports": { "remesher/arrays":
+  "../package/arrays.js" } }</script><script type="module" src="../scenes/scenes.js"></script>`;
+
+/** Puts the scenes and the package beside the pages. */
+function addScenes() {
+  cpSync(join(root, scenes), join(root, out, 'scenes'), { recursive: true });
+  cpSync(join(root, 'dist'), join(root, out, 'package'), { recursive: true,
+    filter: (file) => !notOfArrays.test(basename(file)) });
+}
+
 /** The manifest's entries: the declarations of each import name. */
 function entriesOf() {
   /** @type {Map<string, string>} */
@@ -51,7 +68,8 @@ function inputs() {
     readdirSync(join(root, folder), { recursive: true, encoding: 'utf8' })
       .filter((file) => pattern.test(file)).map((file) => join(folder, file)).sort();
   return ['README.md', ...papers, look, 'package.json', 'node_modules/.package-lock.json',
-    ...below('dist', /\.d\.m?ts$/), ...below('bindings', /\.js$/), ...below('examples', /\.js$/)];
+    ...below('dist', /\.(d\.m?ts|js|wasm)$/), ...below('bindings', /\.js$/),
+    ...below('examples', /\.js$/), ...below(scenes, /\.js$/)];
 }
 
 /** @param {Iterable<string>} files @returns its path from the root */
@@ -108,6 +126,8 @@ async function make() {
   app.renderer.on(PageEvent.END, (page) => {  // the keyboard can reach all parts that scroll
     page.contents = page.contents?.replaceAll('<table>', '<table tabindex="0">');
     if (page.contents && page.url === 'index.html') page.contents = withinSite(page.contents);
+    if (page.contents?.includes('data-scene='))
+      page.contents = page.contents.replace('</head>', `${liveFigures}</head>`);
   });
   let pages = 0;
   app.converter.on(Converter.EVENT_CREATE_DOCUMENT,
@@ -118,6 +138,7 @@ async function make() {
     module.name = [...entries].find(([, types]) => types === file)?.[0] ?? module.name;
   }
   if (project) await app.generateDocs(project, join(root, out));
+  addScenes();
   return Boolean(project) && !app.logger.hasErrors() && !app.logger.hasWarnings();
 }
 

@@ -17,9 +17,9 @@ enum class Quality { Draft, Best };          // for scheme `best`: fast | best r
 enum class Projection { Patches, Current };  // onto the original | on the current mesh
 enum class Fidelity { Strict, Loose, Fold };
 enum class Boundary { Resample, Keep };
-enum class Prefer { Auto, Even, Shape };  // even triangles, or vertices where shape needs them
-// Painted anew where repair makes another surface | texture coordinates along their seams | left
-// out | painted anew.
+enum class Prefer { Auto, Even, Shape };  // isotropic triangles, or vertices where shape needs them
+// Baked where repair makes another surface | texture coordinates along their seams | left
+// out | baked.
 enum class Textures { Auto, Keep, Drop, Bake };
 enum class TextureFormat { Png, Jpeg, Webp };
 // Of quads: mirrored exactly where the input is mirrored, or never, or about planes at right angles
@@ -33,7 +33,7 @@ enum class Repair { Off, Holes, Solid, Wrap, Auto };  // what is mended before r
 enum class Sheets { Thicken, Drop };                  // what wrap does with open sheets
 enum class TooFew { Refuse, Raise };                  // for a target below what the surface needs
 enum class LodsBy { Shares, Pixels };                 // what `lods` says of each level
-// If even triangles exceed an error bound: use those of the original | end the run.
+// If isotropic triangles exceed an error bound: use those of the original | end the run.
 enum class OutOfBound { FromOriginal, GiveUp };
 
 // A plane that mirrors a surface onto itself.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Collapses edges, those first that change the shape least: for a result whose even triangles would
-// be larger than the original's details.
+// Collapses edges, those first that change the shape least: for a result whose isotropic triangles
+// would be larger than the original's details.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Textures painted anew: the right colours, normals and tangents in files that any viewer takes,
+// Baked textures: the right colours, normals and tangents in files that any viewer takes,
 // and a sentence for what cannot be painted from.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';

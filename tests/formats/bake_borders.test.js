@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Textures painted anew where the look of a model ends: nothing of one side is seen on the other.
+// Baked textures where the look of a model ends: nothing of one side is seen on the other.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 

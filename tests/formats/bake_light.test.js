@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Textures painted anew and light: normals that no shape explains stay, what is shown without light
+// Baked textures and light: normals that no shape explains stay, what is shown without light
 // gets no normals to carry, and what light shines through is drawn in its order.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';

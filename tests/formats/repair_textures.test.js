@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where repair makes another surface textures are painted anew, from what is seen; where it closes
+// Where repair makes another surface textures are baked, from what is seen; where it closes
 // holes they stay.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';

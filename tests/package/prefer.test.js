@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The option `prefer`: even triangles, or vertices of the original where its shape and looks need
+// The option `prefer`: isotropic triangles, or vertices of the original where its shape and looks need
 // them most; exactly as many as asked for either way, and the report says which.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -33,7 +33,7 @@ function pleats() {
   return { positions: Float32Array.from(positions), indices: Uint32Array.from(indices) };
 }
 
-test('shape: as many vertices as asked for, nearer than even triangles', async () => {
+test('shape: as many vertices as asked for, nearer than isotropic triangles', async () => {
   const options = { vertices: 200, worker: false };
   const even = await remesh(ring, { ...options, prefer: 'even' });
   const shape = await remesh(ring, { ...options, prefer: 'shape' });
@@ -70,7 +70,7 @@ test('shape: vertices with attributes are those of the original', async () => {
   }
 });
 
-test('auto: shape where even triangles lose it, even where they do not', async () => {
+test('auto: shape where isotropic triangles lose it, even where they do not', async () => {
   const options = { vertices: 150, featureAngle: 'off', worker: false };
   const free = await remesh(pleats(), options);
   const forced = await remesh(pleats(), { ...options, prefer: 'even' });
@@ -125,7 +125,7 @@ test('what decides where vertices lie excludes a shape that is preferred', async
   await remesh(ring, { vertices: 200, prefer: 'shape', maxError: 'off', worker: false });
 });
 
-test('no number: a part gets the vertices that even triangles need, which is said', async () => {
+test('no number: a part gets the vertices that isotropic triangles need, which is said', async () => {
   const { report } = await remesh(plate(), { worker: false });
   const { input, output, fidelity, warnings } = report;
   assert.ok(output.vertices > input.vertices && output.vertices <= 4 * input.vertices);

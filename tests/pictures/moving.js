@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Makes the moving picture of the README, docs/pictures/remesher.webp: a line goes over a bunny and
-// leaves even triangles behind, then quads.
+// leaves isotropic triangles behind, then quads.
 //   npm run moving
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';

@@ -93,6 +93,7 @@ export const pageRooms = {
   report: ['base', 'files', 'model', 'view', 'survey', 'panel'],
   acts: ['base', 'files', 'model', 'view', 'survey', 'panel', 'report'],
   samples: [],
+  scenes: [],
   '': ['texts', 'base', 'files', 'model', 'view', 'panel', 'report', 'acts', 'samples'],
 };
 

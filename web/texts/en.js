@@ -105,8 +105,8 @@ export default {
     + 'from the original. More vertices keep it, or the preference “shape”. ',
   'report.shapeLostByQuads': 'Shape was lost: at its farthest the result is {distance} of the '
     + 'diagonal from the original. More vertices keep it. ',
-  'report.shape': 'The triangles are not even: their corners are those vertices of the original '
-    + 'that its shape needs most.',
+  'report.shape': 'The triangles are not isotropic: their corners are those vertices of the '
+    + 'original that its shape needs most.',
   'report.time': 'Time',
   'report.angles': 'Smallest angles',
   'report.key': 'result, % of the triangles',
@@ -152,7 +152,7 @@ export default {
   'shading.normals': 'Normals',
   'draft': 'Draft',
   'presets': 'Purposes',
-  'preset.even': 'Even triangles',
+  'preset.even': 'Isotropic triangles',
   'preset.accurate': 'Least error',
   'steps': 'Steps back and forth',
   'undo': 'Undo',

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Spikes: vertices that stick out so far that the skin between them and their neighbours is a
-// needle, such as the wild points of scans. Even triangles would be spent on the skin by its area,
-// which may be most of the surface, and would be slivers, because few fit around a needle. So the
-// skin gets few triangles.
+// needle, such as the wild points of scans. Isotropic triangles would be spent on the skin by its
+// area, which may be most of the surface, and would be slivers, because few fit around a needle. So
+// the skin gets few triangles.
 #pragma once
 
 #include <vector>
@@ -24,7 +24,7 @@ struct Spikes {
 };
 
 struct SpikeRules {
-  double size;      // edge length of even triangles, model units
+  double size;      // edge length of isotropic triangles, model units
   double vertices;  // the result's number of vertices
 };
 

@@ -11,7 +11,7 @@ namespace remesher {
 inline constexpr double kFinest = 0.25, kCoarsest = 2.25;
 
 struct AccuracyRules {
-  double mean = 0;        // the edge length of an even mesh with the wished number of vertices
+  double mean = 0;        // the edge length of a uniform mesh with the wished number of vertices
   double adaptivity = 0;  // how far sizes may differ from mean: 0 not at all, 1 fully
   double slope = 0;       // how fast they may change along the surface
   double error = 0;       // if above 0: bound on chords, whatever number of vertices it takes

@@ -78,7 +78,7 @@ void applyCurvature(const OriginalSurface& surface, double adaptivity,
   }
 }
 
-// The factor for the sizes that makes a mesh of these sizes have as many vertices as an even mesh
+// The factor for the sizes that makes a mesh of these sizes have as many vertices as a uniform mesh
 // of edge length `mean`.
 double normalScale(const VertexData<double>& areas, double mean, const VertexData<double>& sizes) {
   double total = 0, weighted = 0;

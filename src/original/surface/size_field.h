@@ -52,7 +52,7 @@ class SizeField {
   bool isWished() const { return wished_; }
   // Whether sizes leave out spikes, whose edges are as long as the spikes.
   bool isSpiked() const { return spiked_; }
-  // The edge length of an even mesh with the wanted number of vertices.
+  // The edge length of a uniform mesh with the wanted number of vertices.
   double mean() const { return mean_; }
   // The mean over the edges of a mesh of these sizes; shorter than mean() where sizes are graded.
   double meanEdge() const { return meanEdge_; }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// From even triangles to quads alone, in two ways. A seamless map takes the triangles to the plane;
-// its unit squares are the quads. Where the map does not give a connected part a surface of the
-// same kind, divided pairs of triangles do, which always works.
+// From isotropic triangles to quads alone, in two ways. A seamless map takes the triangles to the
+// plane; its unit squares are the quads. Where the map does not give a connected part a surface of
+// the same kind, divided pairs of triangles do, which always works.
 #pragma once
 
 #include <functional>

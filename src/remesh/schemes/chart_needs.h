@@ -12,7 +12,7 @@ namespace remesher {
 
 struct ChartNeed {
   double width;     // model units; for a border, its length
-  double vertices;  // of an even mesh of the whole surface that keeps it
+  double vertices;  // of a uniform mesh of the whole surface that keeps it
 };
 
 // One need for each region between curves whose neighbour shows other attribute values, and one for

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Another way to few vertices: instead of even triangles, the vertices of the original that its
-// shape needs most. Hand-made models have bevels and tubes thinner than an even triangle of the
-// result; even triangles lose them.
+// Another way to few vertices: instead of isotropic triangles, the vertices of the original that
+// its shape needs most. Hand-made models have bevels and tubes thinner than an even triangle of the
+// result; isotropic triangles lose them.
 #pragma once
 
 #include <optional>

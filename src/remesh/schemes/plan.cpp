@@ -154,9 +154,10 @@ Warning jointsReleased(const TriangleMesh& input, const RemeshOptions& options, 
       "JOINTS_RELEASED",
       std::string("Edges at which the surface was cut apart were remeshed on either side, and may "
                   "no longer meet: to keep them ") +
-          (options.quads               ? "would make quads irregular."
-           : !input.attributes.empty() ? "would cost a model with attributes its even triangles."
-                                       : "takes more vertices than were asked for."),
+          (options.quads ? "would make quads irregular."
+           : !input.attributes.empty()
+               ? "would cost a model with attributes its isotropic triangles."
+               : "takes more vertices than were asked for."),
       count};
 }
 

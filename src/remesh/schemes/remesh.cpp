@@ -28,9 +28,9 @@ namespace remesher {
 
 namespace {
 
-// Whether the vertices of the original that its shape needs may be taken instead of even triangles:
-// not if the caller sets sizes, bounds or edges. With repair only on demand, for no collapse there
-// looks for crossings: the caller must.
+// Whether the vertices of the original that its shape needs may be taken instead of isotropic
+// triangles: not if the caller sets sizes, bounds or edges. With repair only on demand, for no
+// collapse there looks for crossings: the caller must.
 bool mayFollow(const RemeshOptions& options) {
   return options.prefer != Prefer::Even && options.scheme == Scheme::Best &&
          options.density.empty() && options.featureEdges.empty() && options.bodies.empty() &&
@@ -42,8 +42,8 @@ bool mayFollow(const RemeshOptions& options) {
 // The share of a run's time for the triangles of the map; each mesh of pairs takes a quarter of it.
 constexpr double kMapShare = 0.4;
 
-// Options for the even triangles that quads are made of: quick, and without the options that only
-// triangles have.
+// Options for the isotropic triangles that quads are made of: quick, and without the options that
+// only triangles have.
 RemeshOptions optionsForQuads(RemeshOptions options) {
   options.quality = Quality::Draft;
   options.scheme = Scheme::Best;

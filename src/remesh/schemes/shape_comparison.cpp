@@ -25,14 +25,15 @@ constexpr double kMuchNearer = 2, kMuchNearerPlain = 4;
 constexpr double kFinishing = 2;
 constexpr Samples kGlimpse = {1000, 1};
 // Up to so many times its own vertices a model with flat sides may keep its own triangles, divided;
-// with more, even triangles are worth more than the last dents.
+// with more, isotropic triangles are worth more than the last dents.
 constexpr double kMostDivided = 4;
 
 // By how much less, in degrees on average, the angles of a mesh of facets may be: its shape is
 // exact.
 constexpr double kHardlyLess = 2;
 
-// Whether nothing is drawn on the surface: there even triangles are worth more than half a pixel.
+// Whether nothing is drawn on the surface: there isotropic triangles are worth more than half a
+// pixel.
 bool isPlain(const TriangleMesh& input, Textures textures) {
   const auto isDrawn = [](const Attribute& attribute) {
     return attribute.semantic.starts_with("TEXCOORD") || attribute.semantic.starts_with("COLOR");

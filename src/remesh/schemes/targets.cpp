@@ -123,7 +123,7 @@ void checkOptions(const RemeshOptions& options, std::size_t inputVertices) {
   const double adaptivity = options.adaptivity.value_or(0);
   require(adaptivity >= 0 && adaptivity <= 1,
           "adaptivity is " + inDigits(adaptivity, kMessageDigits) + ", not between 0 and 1.",
-          "0 gives even triangles, 1 follows curvature fully.");
+          "0 gives isotropic triangles, 1 follows curvature fully.");
   require(!options.weld || *options.weld > 0, "weld is not above 0.",
           "It is in percent of the diagonal; leave it out to join nothing more.");
   require(!options.maxError || *options.maxError > 0, "maxError is not above 0.",

@@ -44,7 +44,7 @@ test('sizes that follow curvature lower the largest distance, too', async () => 
       plain[key] += even.report.fidelity[key];
     }
   }
-  assert.ok(plain.hausdorff / numbers.length < 0.2, 'even triangles lose no part');
+  assert.ok(plain.hausdorff / numbers.length < 0.2, 'isotropic triangles lose no part');
   assert.ok(found.rms < plain.rms / 1.1, `${found.rms} against ${plain.rms}`);
   assert.ok(found.hausdorff < plain.hausdorff / 1.5, `${found.hausdorff}, ${plain.hausdorff}`);
 });

@@ -175,7 +175,7 @@ for (const [what, shape] of Object.entries(lookAlikes)) {
 test('a scan in scraps looks like itself at a third, too, if filtered along its texels',
   () => looksMostAlike({ ...lookAlikes['a scan in scraps'], anisotropy: 16 }, 1 / 3));
 
-/** Where charts cost few of the vertices, what is painted anew is as good as what was, but for the
+/** Where charts cost few of the vertices, what is baked is as good as what was, but for the
  * pixels at the outline; from behind, too, where a small body is lit as its shape would not be. */
 async function looksAsIfKept({ make, isPosed }) {
   const { name, bytes } = make();

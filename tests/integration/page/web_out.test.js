@@ -110,7 +110,7 @@ async function phasesOf(act) {
 const textureValues = () => Promise.all(['textures', 'textureSize', 'textureFormat'].map((name) =>
   page.inputValue(`#option-${name}`)));
 
-test('textures are painted anew where that is chosen, and the progress says so', async () => {
+test('textures are baked where that is chosen, and the progress says so', async () => {
   await page.uncheck('#live');
   assert.equal(await page.isVisible('#option-textureSize'), false);
   await page.selectOption('#option-textures', 'bake');

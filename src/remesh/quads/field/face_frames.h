@@ -33,7 +33,7 @@ class FaceFrames {
 
 // The weight of an edge in sums that pull the values of its two triangles together. The weight
 // grows with the length of the edge and with the nearness of the triangles' centres. No unit; 2√3
-// in an even mesh.
+// in a uniform mesh.
 double dualWeight(const WorkingMesh& mesh, const FaceFrames& frames, Halfedge h);
 
 }  // namespace remesher

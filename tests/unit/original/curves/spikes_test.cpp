@@ -14,7 +14,7 @@ using namespace remesher;
 
 namespace {
 
-// At a size at which as many even triangles fit on the surface as it has.
+// At a size at which as many isotropic triangles fit on the surface as it has.
 Spikes spikesOf(const TriangleMesh& input) {
   const BuiltMesh built = buildMesh(input);
   double whole = 0;

@@ -30,7 +30,7 @@ double error(const TriangleMesh& original, const TriangleMesh& result) {
   return 100 * std::max(d.toResult.maximum, d.toOriginal.maximum) / d.diagonal;
 }
 
-// A cup turned about its axis: walls of 48 facets, thinner than even triangles are long.
+// A cup turned about its axis: walls of 48 facets, thinner than isotropic triangles are long.
 TriangleMesh cup() {
   const std::vector<Vec2> profile = {{10, 0}, {10, 8}, {9, 8}, {9, 1}};  // radius, height
   constexpr Index kSides = 48;

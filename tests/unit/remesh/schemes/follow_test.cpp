@@ -148,14 +148,14 @@ TEST_CASE("follow: every triangle keeps its group, and corners know a place of t
   }
 }
 
-TEST_CASE("follow: fewer vertices than curves have corners, where textures are painted anew") {
+TEST_CASE("follow: fewer vertices than curves have corners, where textures are baked") {
   const TriangleMesh cubes =
       shapes::cells(5, [](int i, int j, int k) { return i % 2 == 0 && j % 2 == 0 && k % 2 == 0; });
   CHECK_THROWS(remeshed(cubes, 150, Textures::Keep));
   CHECK(inspectMesh(remeshed(cubes, 150, Textures::Bake)).vertices == 150);
 }
 
-TEST_CASE("follow: pleats narrower than even triangles are kept where textures are painted anew") {
+TEST_CASE("follow: pleats narrower than isotropic triangles are kept where textures are baked") {
   for (const int rows : {32, 112}) {
     CAPTURE(rows);
     const TriangleMesh original = pleats(rows);
@@ -166,7 +166,7 @@ TEST_CASE("follow: pleats narrower than even triangles are kept where textures a
   }
 }
 
-TEST_CASE("follow: what even triangles show has even triangles") {
+TEST_CASE("follow: what isotropic triangles show has isotropic triangles") {
   for (const TriangleMesh& original : {shapes::icosphere(16), shapes::torus(64, 32)}) {
     double mean = 0;
     // By the seed of annealing one number gives 53.4° to 56.8°, three together 54.0° to 56.1°.
@@ -176,7 +176,7 @@ TEST_CASE("follow: what even triangles show has even triangles") {
   }
 }
 
-TEST_CASE("follow: taken for pleats that even triangles lose, not for what is round") {
+TEST_CASE("follow: taken for pleats that isotropic triangles lose, not for what is round") {
   const auto preferred = [](const TriangleMesh& input, double share, Prefer prefer) {
     RemeshOptions options;
     options.ratio = share;
