@@ -225,13 +225,12 @@ test('nothing is written over what was read, by whatever name it is called', () 
   symlinkSync('x.glb', at('input/z.glb'));
   symlinkSync('.', at('input/again'));
   const before = snapshot(at('input'));
+  assert.equal(run(at('input'), 'x.glb', '-o', 'x.glb').status, 2, 'without --force, too');
   for (const output of ['x.glb', './x.glb', 'again/x.glb', 'y.glb', 'z.glb']) {
-    for (const force of [[], ['--force']]) {
-      const { status, stderr } = run(at('input'), 'x.glb', '-o', output, ...force);
-      assert.equal(status, 2, output);
-      assert.match(stderr, /one of the files that were read/);
-      assert.deepEqual(snapshot(at('input')), before);
-    }
+    const { status, stderr } = run(at('input'), 'x.glb', '-o', output, '--force');
+    assert.equal(status, 2, output);
+    assert.match(stderr, /one of the files that were read/);
+    assert.deepEqual(snapshot(at('input')), before);
   }
 });
 

@@ -27,7 +27,7 @@ test('a run that needs more memory than there is says so, and the next one works
   const [wanted, wantedSmall] = await Promise.all([large, small].map(async (job) =>
     bytesIn(await new Engine(whole).run(job))));
   const outcomes = { done: 0, refused: 0 };
-  for (let megabytes = 17; outcomes.done === 0; megabytes = Math.ceil(1.08 * megabytes)) {
+  for (let megabytes = 17; outcomes.done === 0; megabytes = Math.ceil(1.15 * megabytes)) {
     const engine = new Engine(await loaded(withMemory(wasm, megabytes)));
     try {
       assert.deepEqual(bytesIn(await engine.run(large)), wanted);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Repair, alone and before remeshing: holes closed and the rest as it was; bodies united; sheets
-// wrapped.
+// wrapped; tests/integration/package/repair.test.js has what takes longer.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
@@ -8,10 +8,10 @@ import { inspect, remesh, repair, repairFile } from 'remesher';
 
 import { parseCommandLine } from '../../dist/cli/cli_arguments.js';
 import { reportInWords } from '../../dist/cli/report_in_words.js';
-import { makeRepairCase, runRepairCase } from '../fuzz/repair_case.js';
 import * as broken from '../support/broken_shapes.js';
 import { rejectsWith } from '../support/errors.js';
 import { eulerCharacteristic, offText, sheet, torus } from '../support/shapes.js';
+import { assertSound } from '../support/sound.js';
 
 /** Without the triangles from one number to another. */
 function withHole({ positions, indices }, from, to) {
@@ -97,13 +97,6 @@ test('an open sheet is wrapped, and can be remeshed then', async () => {
   assert.equal(report.output.boundaryEdges, 0);
 });
 
-/** What must be so of all that is repaired. */
-async function assertSound(mesh, what) {
-  const { input, faults } = await inspect(mesh, { faults: true });
-  assert.deepEqual([input.boundaryEdges, input.nonManifoldEdges, input.degenerateTriangles,
-    faults.selfIntersections, faults.insideOut], [0, 0, 0, 0, 0], what);
-}
-
 const { askewBoxes, nestedBoxes, thinHouse, manyBodies, doubledScan, cracked, tJunctions,
   looseTriangles } = broken;
 const fewLooseTriangles = () => looseTriangles(20);
@@ -121,38 +114,10 @@ test('a sheet with one side only is wrapped, where that is asked for', async () 
   await assertSound(mesh, 'Möbius strip');
 });
 
-test('far from the origin, where single precision has few digits, all of it is sound', async () => {
-  const torusAt = (/** @type {number} */ offset) => {
-    const { positions, indices } = torus({ columns: 12, rows: 8 });
-    return { positions: positions.map((x, i) => (i % 3 === 0 ? x + offset : x)), indices };
-  };
-  await rejectsWith(repair(torusAt(1e8), { repair: 'wrap' }), 'NO_TRIANGLES', /too small/);
-  for (const offset of [8e4, 1e6]) {
-    const shape = torusAt(offset);
-    await assertSound((await repair(shape, { repair: 'wrap' })).mesh, `repaired, ${offset}`);
-    const { mesh } = await remesh(shape, { repair: 'wrap', vertices: 900 });
-    await assertSound(mesh, `remeshed, ${offset}`);
-  }
-});
-
-// Sheets back to back of which scraps remain, and three that lie far away.
-for (const seed of [14, 40, 44, 50]) {
-  test(`case ${seed} of the laws, which broke one`, async () => {
-    assert.deepEqual((await runRepairCase(makeRepairCase(seed))).broken, []);
-  });
-}
-
 test('what repair makes gets no curves where its lattice happens to be flat', async () => {
   const { report } = await remesh(askewBoxes(), { repair: 'auto', vertices: 2000 });
   assert.equal(report.repair.mode, 'solid');
   assert.ok(report.output.minAngle.worst > 15, `${report.output.minAngle.worst}`);
-});
-
-test('rooms with walls thinner than the lattice are filled as others are', async () => {
-  for (const vertices of [2000, 8000]) {
-    const { report } = await remesh(thinHouse(), { repair: 'auto', vertices, quality: 'draft' });
-    assert.equal(report.output.components, 1, `${vertices}`);
-  }
 });
 
 test('an inspection tells what is broken, and what would mend it', async () => {
