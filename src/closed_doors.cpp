@@ -11,8 +11,8 @@
 #include "jobs/pixel_levels.h"
 #include "jobs/region_run.h"
 #include "remesh/quads/quads.h"
+#include "remesh/schemes/edge_limits.h"
 #include "remesh/schemes/quads_door.h"
-#include "remesh/steps/wanted.h"
 
 namespace remesher {
 namespace {
@@ -41,8 +41,11 @@ std::vector<Warning> bordersOffGiven(const std::vector<io::Part>&, const std::ve
   return {};
 }
 
-void keepWanted(Run&, const WantedLimits&, Number) { refuse("Limits of every edge"); }
-Unmet unmetOf(const Run&, const WantedLimits&) { return {}; }
+void keepLimits(Run&, const RemeshOptions&, Number) {}
+Unmet unmetLimits(const Run&, const RemeshOptions&) { return {}; }
+SizeBounds sizeBounds(const RemeshOptions&) { return {}; }
+double numberByEdges(const RemeshOptions&, double, double own) { return own; }
+void checkWanted(const RemeshOptions&) {}
 std::optional<WantedReport> wantedOf(const std::vector<io::Part>&, const RemeshOptions&) {
   return {};
 }

@@ -294,6 +294,7 @@ set(small
   src/remesh/steps/left_out.cpp
   src/remesh/steps/split_obtuse.cpp
   src/remesh/steps/subdivide.cpp
+  src/remesh/steps/wanted.cpp
   src/remesh/symmetry/forced_planes.cpp
   src/remesh/symmetry/half.cpp
   src/remesh/symmetry/joined.cpp
@@ -369,6 +370,6 @@ set(doors
   src/jobs/pixel_levels.cpp
   src/jobs/region_run.cpp
   src/remesh/quads/quads.cpp
+  src/remesh/schemes/edge_limits.cpp
   src/remesh/schemes/quads_door.cpp
-  src/remesh/steps/wanted.cpp
 )

@@ -167,6 +167,7 @@ add_executable(unit_tests
   tests/unit/remesh/schemes/chooser_test.cpp
   tests/unit/remesh/schemes/conformed_test.cpp
   tests/unit/remesh/schemes/curve_choice_test.cpp
+  tests/unit/remesh/schemes/edge_limits_test.cpp
   tests/unit/remesh/schemes/follow_test.cpp
   tests/unit/remesh/schemes/mirrored_test.cpp
   tests/unit/remesh/schemes/part_by_part_test.cpp

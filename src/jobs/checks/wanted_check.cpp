@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
+#include "base/error.h"
 #include "base/legible.h"
 #include "geometry/triangle.h"
 #include "jobs/checks/result_check.h"
@@ -134,6 +136,31 @@ Warning warningOn(const Missed& missed, const std::vector<io::Part>& result) {
 }
 
 }  // namespace
+
+void checkWanted(const RemeshOptions& options) {
+  for (const auto& [name, value] :
+       {std::pair{"minEdge", options.minEdge}, std::pair{"maxEdge", options.maxEdge},
+        std::pair{"minAngle", options.minAngle}})
+    if (value && !(*value > 0))
+      throw Error(ErrorCode::InvalidOption, std::string(name) + " is not above 0.",
+                  "Edges are limited by lengths in the units of the model, angles in degrees.");
+  if (options.minAngle && *options.minAngle > 60)
+    throw Error(ErrorCode::InvalidOption, "minAngle is above 60.",
+                "The smallest angle of a triangle is 60 degrees at most; ask for up to 30.");
+  if (wantsOfEach(options) &&
+      (options.quads || options.scheme == Scheme::Rounds || options.prefer == Prefer::Shape ||
+       options.splitObtuse || !options.lods.empty()))
+    throw Error(
+        ErrorCode::InvalidOption,
+        "minEdge, maxEdge and minAngle are wanted of isotropic triangles of the scheme best, "
+        "not of quads, rounds, prefer: shape, splitObtuse or levels of detail.",
+        "Leave out one of them.");
+  if (options.minEdge && options.maxEdge && *options.minEdge > *options.maxEdge)
+    throw Error(ErrorCode::InvalidOption,
+                "minEdge is " + shown(*options.minEdge) + ", longer than maxEdge, " +
+                    shown(*options.maxEdge) + ".",
+                "Leave room between them: maxEdge at least twice minEdge.");
+}
 
 std::optional<WantedReport> wantedOf(const std::vector<io::Part>& result,
                                      const RemeshOptions& options) {

@@ -13,6 +13,9 @@
 
 namespace remesher {
 
+// Throws INVALID_OPTION for limits out of range, or that contradict each other or other options.
+void checkWanted(const RemeshOptions& options);
+
 // Lengths are measured in the world, each part at its place. None if nothing was wanted.
 std::optional<WantedReport> wantedOf(const std::vector<io::Part>& result,
                                      const RemeshOptions& options);

@@ -12,13 +12,13 @@
 #include "remesh/accuracy/bound_error.h"
 #include "remesh/accuracy/poor_regions.h"
 #include "remesh/schemes/best.h"
+#include "remesh/schemes/edge_limits.h"
 #include "remesh/schemes/rounds.h"
 #include "remesh/schemes/targets.h"
 #include "remesh/schemes/uncrossed.h"
 #include "remesh/steps/adapt.h"
 #include "remesh/steps/apart.h"
 #include "remesh/steps/split_obtuse.h"
-#include "remesh/steps/wanted.h"
 #include "remesh/transfer/attribute_transfer.h"
 
 namespace remesher {
@@ -58,7 +58,8 @@ bool runWithin(Run& run, const BoundGoal& goal, const RunSettings& settings,
   const bool isFewest = goal.outOfBound == OutOfBound::GiveUp;
   const std::size_t aim = isBeyond || isFewest ? goal.vertices : std::size_t(std::lround(wanted));
   runScheme(run, aim, settings, progress.part(0, 1 - kBoundShare));
-  const std::size_t most = splitsObtuse ? run.mesh.mesh().vertexCount() : goal.vertices;
+  const bool mayAdd = splitsObtuse || leadsByEdges(settings.options);
+  const std::size_t most = mayAdd ? run.mesh.mesh().vertexCount() : goal.vertices;
   return boundError(run, {goal.bound, most, goal.outOfBound}, progress.part(1 - kBoundShare, 1));
 }
 
@@ -83,16 +84,6 @@ Places matchPositions(Run& run, std::size_t vertices, const Bodies& bodies) {
     least = missed;
     coincident = moveApart(run);
   }
-}
-
-// Lengths with room for what rounding moves.
-WantedLimits wantedIn(const RemeshOptions& options, const Grain& grain) {
-  constexpr double kRoom = 4;  // roundings of coordinates
-  WantedLimits wanted;
-  if (options.minEdge) wanted.shortest = *options.minEdge + kRoom * grain.size;
-  if (options.maxEdge) wanted.longest = *options.maxEdge - kRoom * grain.size;
-  if (options.minAngle) wanted.angle = radians(*options.minAngle) * (1 + kSingleRoundOff);
-  return wanted;
 }
 
 // The vertices that repaired surfaces of many pieces or handles are made of, where those asked for
@@ -169,15 +160,14 @@ Remeshed remeshOriginal(const Prepared& original, const RunSettings& settings,
   const std::size_t places = options.inBodies.value_or(Index(vertices));
   run.asked.effort = effortOf(options.quality, Level::Finest, vertices);
   const Made made = makeMesh(run, original, settings, progress);
-  const WantedLimits wanted = wantedIn(options, settings.grain);
   const bool isFree = !options.vertices && !options.faces && !options.ratio;
-  if (wanted.isAny()) keepWanted(run, wanted, Number::Free);
-  const bool mayMatch = !options.splitObtuse && !(wanted.isAny() && isFree) &&
+  keepLimits(run, options, isFree ? Number::Free : Number::Matched);
+  const bool mayMatch = !options.splitObtuse && !(wantsOfEach(options) && isFree) &&
                         (made.isReached || settings.bodies.countPlaces(mesh) < places);
   const Places matched = mayMatch ? matchPositions(run, places, settings.bodies)
                                   : Places{made.isReached, moveApart(run)};
-  if (wanted.isAny() && !isFree) keepWanted(run, wanted, Number::Kept);
-  const Unmet unmet = wanted.isAny() ? unmetOf(run, wanted) : Unmet{};
+  if (!isFree) keepLimits(run, options, Number::Kept);
+  const Unmet unmet = unmetLimits(run, options);
   const bool byBound = run.verdicts[std::size_t(Verdict::MaxError)] > 0;
   return {std::move(mesh),
           matched.areReached ? Stopped::Target

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <string>
-#include <tuple>
-#include <utility>
 
 #include "base/disjoint_sets.h"
 #include "base/error.h"
@@ -14,6 +12,7 @@
 #include "geometry/triangle.h"
 #include "mesh/joints.h"
 #include "mesh/topology.h"
+#include "remesh/schemes/edge_limits.h"
 
 namespace remesher {
 
@@ -61,23 +60,6 @@ std::string tooFew(ErrorCode code, std::size_t target, std::size_t needed) {
   if (code != ErrorCode::TargetBelowCurves) return beginning + "too small for this surface.";
   return beginning + "below the " + std::to_string(needed) +
          " that the corners of feature curves and kept boundaries need.";
-}
-
-// The bounds on sizes with which about all edges are as long as wanted; where too little lies
-// between the two, the size between them.
-std::pair<double, double> sizeBounds(const RemeshOptions& options) {
-  const double shortest = options.minEdge.value_or(0) / kShortestOfSize;
-  const double longest = options.maxEdge.value_or(kInfinity) / kLongestOfSize;
-  if (shortest <= longest) return {shortest, longest};
-  const double between = std::sqrt(*options.minEdge * *options.maxEdge);
-  return {between, between};
-}
-
-// As few vertices as the longest edge allows; or the input's number, where the shortest does.
-double numberByEdges(const RemeshOptions& options, double area, double own) {
-  const auto [shortest, longest] = sizeBounds(options);
-  return options.maxEdge ? verticesForEdgeLength(area, longest)
-                         : std::min(own, verticesForEdgeLength(area, shortest));
 }
 
 }  // namespace
@@ -130,13 +112,6 @@ void checkOptions(const RemeshOptions& options, std::size_t inputVertices) {
           "It is a percentage of the bounding box diagonal.");
   require(!options.edgeLength || *options.edgeLength > 0, "edgeLength is not above 0.",
           "It is a length in the units of the model.");
-  require(!options.minEdge || *options.minEdge > 0, "minEdge is not above 0.",
-          "It is a length in the units of the model.");
-  require(!options.maxEdge || *options.maxEdge > 0, "maxEdge is not above 0.",
-          "It is a length in the units of the model.");
-  require(!options.minAngle || (*options.minAngle > 0 && *options.minAngle <= 60),
-          "minAngle is not above 0 and at most 60.",
-          "The angles of a triangle cannot all exceed 60.");
   require(!options.ratio || *options.ratio > 0, "ratio is not above 0.",
           "0.5 halves the number of vertices.");
   checkDensity(options.density, inputVertices);
@@ -204,7 +179,9 @@ SizeRules sizeRules(const RemeshOptions& options, double vertices, std::span<con
   constexpr double kMild = 0.5;
   const double byScheme = options.scheme == Scheme::Best ? kMild : 0.0;
   SizeRules rules{vertices, options.adaptivity.value_or(byScheme), options.gradation, density};
-  std::tie(rules.shortest, rules.longest) = sizeBounds(options);
+  const SizeBounds bounds = sizeBounds(options);
+  rules.shortest = bounds.shortest;
+  rules.longest = bounds.longest;
   return rules;
 }
 

@@ -31,6 +31,8 @@ constexpr double kMostMoved = 1;
 constexpr std::size_t kManySplits = 20;
 // What an angle that nobody asked for weighs: lengths are not to be kept by slivers.
 constexpr double kUnasked = 0.25;
+// With a number of vertices: the share of triangles not as wanted from which on it is the number.
+constexpr double kFarShare = 0.2;
 // Costs that differ by less are equal.
 constexpr double kSameCost = 1e-9;
 
@@ -244,6 +246,11 @@ std::vector<Face> notAsWanted(const Run& run, const WantedLimits& wanted) {
   return faces;
 }
 
+// Whether so many triangles are not as wanted that no single changes help.
+bool isFarFrom(const Run& run, const WantedLimits& wanted) {
+  return double(notAsWanted(run, wanted).size()) > kFarShare * double(run.mesh.mesh().faceCount());
+}
+
 // Whether no change of the mesh between its curves brings the ends of an edge apart.
 bool isHeldByCurves(const Run& run, Halfedge h) {
   const auto isHeld = [&](Vertex v) { return run.mesh.kind(v) != VertexKind::Interior; };
@@ -260,7 +267,12 @@ bool isBetweenCurves(const Run& run, Face f) {
 }  // namespace
 
 void keepWanted(Run& run, const WantedLimits& wanted, Number number) {
-  if (number == Number::Free) divideAllLong(run, wanted);
+  if (number != Number::Free && isFarFrom(run, wanted)) {
+    fires("wanted: the number of vertices is far from what is wanted");
+    return;
+  }
+  grantProofs(run);
+  if (number != Number::Kept) divideAllLong(run, wanted);
   const Hubs hubs(run.mesh.mesh());
   std::size_t looks = kLooksPerTriangle * run.mesh.mesh().faceCount();
   for (int round = 0; round < kRoundsForWanted; ++round) {

@@ -12,16 +12,16 @@ namespace remesher {
 struct WantedLimits {
   double shortest = 0, longest = kInfinity;  // edge lengths, model units
   double angle = 0;                          // radians
-
-  bool isAny() const { return shortest > 0 || longest < kInfinity || angle > 0; }
 };
 
-// Whether vertices may be added and removed.
-enum class Number { Free, Kept };
+// Whether vertices may be added and removed; Matched: the number is matched again afterwards.
+enum class Number { Free, Matched, Kept };
 
 // Changes the mesh around each edge and triangle that is not as wanted: flips, moves and, where the
 // number of vertices is free, splits and collapses, of which the best is taken. No change makes
-// worse of what is wanted than it makes better. For the end of a run.
+// worse of what is wanted than it makes better. If the number is given, and a fifth of the
+// triangles are not as wanted, nothing is changed: the number does not allow it. For the end of a
+// run.
 void keepWanted(Run& run, const WantedLimits& wanted, Number number);
 
 // What is not as wanted, and of that the edges between vertices on curves, and the triangles whose
