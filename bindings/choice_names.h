@@ -58,6 +58,10 @@ inline constexpr Names<Stopped, 4> kStopped = {{{"target", Stopped::Target},
 inline constexpr Names<Severity, 3> kSeverities = {
     {{"note", Severity::Note}, {"loss", Severity::Loss}, {"fault", Severity::Fault}}};
 
+inline constexpr Names<GuideKind, 2> kGuideKinds = {
+    {{"direction", GuideKind::Direction}, {"loop", GuideKind::Loop}}};
+
+constexpr const auto& namesOf(GuideKind) { return kGuideKinds; }
 constexpr const auto& namesOf(Scheme) { return kSchemes; }
 constexpr const auto& namesOf(Prefer) { return kPrefers; }
 constexpr const auto& namesOf(Quality) { return kQualities; }

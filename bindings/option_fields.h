@@ -46,6 +46,7 @@ void forEachWholeOption(Options& options, const Visit& visit) {
   visit("minAngle", options.minAngle);
   visit("region", options.region);
   visit("symmetry", options.symmetry);
+  visit("guides", options.guides);
   visit("textureSize", options.textureSize);
   visit("textureFormat", options.textureFormat);
   visit("cage", options.cage);

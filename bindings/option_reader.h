@@ -63,6 +63,23 @@ struct OptionReader {
     const std::vector<Index> flat = copied<Index>(value);
     for (std::size_t i = 0; i + 1 < flat.size(); i += 2) field.emplace_back(flat[i], flat[i + 1]);
   }
+  // A line that ends where it begins is closed, and so is every loop.
+  static void read(const emscripten::val& value, std::vector<Guide>& field) {
+    const auto count = value["length"].as<std::size_t>();
+    for (std::size_t i = 0; i < count; ++i) {
+      const emscripten::val object = value[i];
+      Guide guide;
+      read(object["kind"], guide.kind);
+      guide.name = object["name"].as<std::string>();
+      const std::vector<double> flat = copied<double>(object["points"]);
+      for (std::size_t k = 0; k + 2 < flat.size(); k += 3)
+        guide.points.emplace_back(flat[k], flat[k + 1], flat[k + 2]);
+      const bool isReturning = guide.points.front() == guide.points.back();
+      guide.isClosed = isReturning || guide.kind == GuideKind::Loop;
+      if (isReturning) guide.points.pop_back();
+      field.push_back(std::move(guide));
+    }
+  }
 };
 
 }  // namespace remesher

@@ -8,6 +8,7 @@
 #include "jobs/checks/whole_steps.h"
 #include "jobs/dropping.h"
 #include "jobs/part_repair.h"
+#include "jobs/parts/part_guides.h"
 #include "jobs/pixel_levels.h"
 #include "jobs/region_run.h"
 #include "remesh/quads/quads.h"
@@ -36,6 +37,8 @@ SceneRun withinPixels(double, const Report&, const RunOfLevel&) { refuse("A leve
 
 RoundedMesh inSoundPrecisionOf(const TriangleMesh&, RemeshOutcome&) { refuse("Repair"); }
 bool isSound(const TriangleMesh&) { refuse("Repair"); }
+
+SharedGuides sharedGuides(const std::vector<io::Part>&, const RemeshOptions&) { return {}; }
 
 std::vector<Warning> bordersOffGiven(const std::vector<io::Part>&, const std::vector<io::Part>&) {
   return {};

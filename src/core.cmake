@@ -230,6 +230,9 @@ set(small
   src/remesh/conforming/thinning.cpp
   src/remesh/gate/crossing_guard.cpp
   src/remesh/ground/stand_in.cpp
+  src/remesh/guides/imprint.cpp
+  src/remesh/guides/kept_guides.cpp
+  src/remesh/guides/surface_guides.cpp
   src/remesh/operators/shift.cpp
   src/remesh/quads/base_meshes.cpp
   src/remesh/quads/counting.cpp
@@ -242,6 +245,7 @@ set(small
   src/remesh/quads/field/cross_field.cpp
   src/remesh/quads/field/curvature_directions.cpp
   src/remesh/quads/field/face_frames.cpp
+  src/remesh/quads/field/guide_directions.cpp
   src/remesh/quads/field/sectors.cpp
   src/remesh/quads/field/singularities.cpp
   src/remesh/quads/map/cut.cpp
@@ -278,6 +282,7 @@ set(small
   src/remesh/schemes/conformed.cpp
   src/remesh/schemes/curve_choice.cpp
   src/remesh/schemes/follow.cpp
+  src/remesh/schemes/guided.cpp
   src/remesh/schemes/isotropic.cpp
   src/remesh/schemes/land.cpp
   src/remesh/schemes/mirrored.cpp
@@ -300,6 +305,7 @@ set(small
   src/remesh/symmetry/joined.cpp
   src/remesh/symmetry/mirror_planes.cpp
   src/remesh/symmetry/mirrored_edges.cpp
+  src/remesh/symmetry/mirrored_guides.cpp
   src/remesh/symmetry/mirroring.cpp
   src/remesh/symmetry/own_mirrors.cpp
   src/remesh/transfer/attribute_transfer.cpp
@@ -367,6 +373,7 @@ set(doors
   src/jobs/checks/whole_steps.cpp
   src/jobs/dropping.cpp
   src/jobs/part_repair.cpp
+  src/jobs/parts/part_guides.cpp
   src/jobs/pixel_levels.cpp
   src/jobs/region_run.cpp
   src/remesh/quads/quads.cpp

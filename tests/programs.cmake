@@ -64,6 +64,7 @@ add_executable(unit_tests
   tests/unit/jobs/part_repair_test.cpp
   tests/unit/jobs/parts/common_frame_test.cpp
   tests/unit/jobs/parts/part_frames_test.cpp
+  tests/unit/jobs/parts/part_guides_test.cpp
   tests/unit/jobs/parts/part_joining_test.cpp
   tests/unit/jobs/parts/part_lengths_test.cpp
   tests/unit/jobs/parts/part_places_test.cpp
@@ -133,6 +134,9 @@ add_executable(unit_tests
   tests/unit/remesh/gate/fidelity_test.cpp
   tests/unit/remesh/ground/decimate_test.cpp
   tests/unit/remesh/ground/stand_in_test.cpp
+  tests/unit/remesh/guides/imprint_test.cpp
+  tests/unit/remesh/guides/kept_guides_test.cpp
+  tests/unit/remesh/guides/surface_guides_test.cpp
   tests/unit/remesh/operators/local_operators_test.cpp
   tests/unit/remesh/operators/projection_test.cpp
   tests/unit/remesh/operators/shift_test.cpp
@@ -144,6 +148,7 @@ add_executable(unit_tests
   tests/unit/remesh/quads/extract/holes_test.cpp
   tests/unit/remesh/quads/extract/opening_test.cpp
   tests/unit/remesh/quads/field/cross_field_test.cpp
+  tests/unit/remesh/quads/field/guide_directions_test.cpp
   tests/unit/remesh/quads/map/cut_test.cpp
   tests/unit/remesh/quads/map/integer_rows_test.cpp
   tests/unit/remesh/quads/map/rounding_test.cpp
@@ -169,6 +174,7 @@ add_executable(unit_tests
   tests/unit/remesh/schemes/curve_choice_test.cpp
   tests/unit/remesh/schemes/edge_limits_test.cpp
   tests/unit/remesh/schemes/follow_test.cpp
+  tests/unit/remesh/schemes/guided_test.cpp
   tests/unit/remesh/schemes/mirrored_test.cpp
   tests/unit/remesh/schemes/part_by_part_test.cpp
   tests/unit/remesh/schemes/remesh_test.cpp
@@ -188,6 +194,7 @@ add_executable(unit_tests
   tests/unit/remesh/symmetry/half_test.cpp
   tests/unit/remesh/symmetry/mirror_planes_test.cpp
   tests/unit/remesh/symmetry/mirrored_edges_test.cpp
+  tests/unit/remesh/symmetry/mirrored_guides_test.cpp
   tests/unit/remesh/symmetry/mirroring_test.cpp
   tests/unit/remesh/transfer/chart_keeper_test.cpp
   tests/unit/remesher_test.cpp

@@ -19,6 +19,7 @@ const plainTypes = {
   floats: 'Float32Array',
   indices: 'Uint32Array | readonly number[]',
   pairs: 'Uint32Array | ReadonlyArray<readonly [number, number]>',
+  guides: 'ReadonlyArray<GuideOrLine>',
 };
 
 const lengthType = `\`\${number}\${${units.map((unit) => `'${unit}'`).join(' | ')}}\``;
@@ -58,6 +59,8 @@ export function optionDeclarations() {
   return [
     '// SPDX-License-Identifier: MIT',
     '// Made of the table in options.js.',
+    '',
+    "import type { GuideOrLine } from './guides.js';",
     '',
     '/** What to make of a mesh. Every option may be left out. */',
     'export interface RemeshOptions {',

@@ -12,6 +12,8 @@ import * as platform from './platform_browser.js';
  * @typedef {import('./api/arrays_api.js').WasmSource} WasmSource
  * @typedef {import('./api/client.js').RunOptions} RunOptions
  * @typedef {import('./base/errors.js').ErrorCode} ErrorCode
+ * @typedef {import('./base/guides.js').Guide} Guide
+ * @typedef {import('./base/guides.js').GuideOrLine} GuideOrLine
  * @typedef {import('./base/messages.js').Distances} Distances
  * @typedef {import('./base/messages.js').Floats} Floats
  * @typedef {import('./base/messages.js').Indices} Indices

@@ -33,6 +33,8 @@ import * as platform from './platform_browser.js';
  * @typedef {import('./api/inputs.js').FileOptions} FileOptions
  * @typedef {import('./api/inputs.js').OutputOptions} OutputOptions
  * @typedef {import('./base/errors.js').ErrorCode} ErrorCode
+ * @typedef {import('./base/guides.js').Guide} Guide
+ * @typedef {import('./base/guides.js').GuideOrLine} GuideOrLine
  * @typedef {import('./base/messages.js').AtlasReport} AtlasReport
  * @typedef {import('./base/messages.js').AtlasSummary} AtlasSummary
  * @typedef {import('./base/messages.js').BooleanOperation} BooleanOperation

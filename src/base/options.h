@@ -5,6 +5,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -55,6 +56,18 @@ struct Mirrors {
   std::size_t vertices = 0;  // of the whole
 };
 
+// What a guide decides of quads: along which directions they lie beside it, or that it becomes
+// sides of quads.
+enum class GuideKind { Direction, Loop };
+
+// A line on or near the surface, in the model's world, that quads follow.
+struct Guide {
+  std::vector<Vec3> points;
+  GuideKind kind = GuideKind::Direction;
+  bool isClosed = false;  // by a last side from the last point to the first
+  std::string name = {};  // for messages
+};
+
 // Edges with a larger dihedral angle, in degrees, count as features unless the caller sets another.
 // With 37 in decimation the RMS of 8 cases at 7 neighboring counts is 0.98 to 1.05 times as much.
 inline constexpr double kFeatureAngle = 40;
@@ -91,6 +104,7 @@ struct RemeshOptions {
   std::vector<std::pair<Index, Index>> featureEdges;  // the caller's, as input vertex pairs
   std::vector<Index> region;                          // triangles to remesh; empty: all
   bool quads = false;                                 // pure quads instead of triangles
+  std::vector<Guide> guides;                          // of quads: lines that they follow
   bool exact = false;                                 // of quads: exactly so many vertices
   Symmetry symmetry = Symmetry::Auto;
   Textures textures = Textures::Auto;  // for files

@@ -26,16 +26,26 @@ using Run = RemeshOutcome (*)(const TriangleMesh&, Welding, const RemeshOptions&
 RemeshOutcome runOn(PartInput part, Run remeshed, const RemeshOptions& options,
                     const Progress& progress) {
   const auto stretch = stretchAt(part.place.toWorld);
-  const auto optionsFor = [&](const TriangleMesh& shown) {
+  const auto inPercents = [&](const TriangleMesh& shown) {
     return withPercentsOf(shown, growthOf(part.place.toWorld), options);
   };
   if (!stretch)
-    return remeshed(part.mesh, std::move(part.welding), optionsFor(part.mesh), progress);
+    return remeshed(part.mesh, std::move(part.welding), inPercents(part.mesh), progress);
   const TriangleMesh shown = stretched(part.mesh, *stretch);
-  RemeshOutcome outcome = remeshed(shown, std::move(part.welding), optionsFor(shown), progress);
+  RemeshOptions own = inPercents(shown);
+  for (Guide& guide : own.guides)
+    for (Vec3& p : guide.points) p = *stretch * p;
+  RemeshOutcome outcome = remeshed(shown, std::move(part.welding), own, progress);
   outcome.mesh = relaxed(std::move(outcome.mesh), *stretch, part.mesh);
   outcome.tree.reset();
   return outcome;
+}
+
+RemeshOptions optionsFor(const PartTarget& target) {
+  RemeshOptions options =
+      target.unions.optionsOf(target.surface, target.targets.of(target.surface));
+  options.guides = target.guides;
+  return options;
 }
 
 RemeshOutcome remeshPart(PartInput part, const RemeshOptions& options, const Progress& progress) {
@@ -76,8 +86,7 @@ bool mayReplace(const TriangleMesh& original, const RemeshOutcome& crossed,
 // Simplification does not look for self-intersections, which a repaired surface must not have.
 RemeshOutcome remeshAsShown(PartInput part, const PartTarget& target, const Progress& progress) {
   try {
-    RemeshOptions options =
-        target.unions.optionsOf(target.surface, target.targets.of(target.surface));
+    RemeshOptions options = optionsFor(target);
     RemeshOutcome outcome = remeshPart(part, options, progress);
     if (options.repair == Repair::Off) return outcome;
     const Rule& rule = choose(Decision::Repaired, [&](Fact fact) {
@@ -103,8 +112,7 @@ RemeshOutcome remeshAsShown(PartInput part, const PartTarget& target, const Prog
 UncrossedOutcome uncrossedAsShown(const ShownMesh& part, const PartTarget& target,
                                   RemeshOutcome made, const Progress& progress) {
   std::vector<Index> crossings = crossingsOf(part.mesh, made);
-  RemeshOptions options =
-      target.unions.optionsOf(target.surface, target.targets.of(target.surface));
+  RemeshOptions options = optionsFor(target);
   RemeshOutcome other;
   if (leavesNumberOpen(options)) options.vertices = Index(made.vertices);
   const auto isReplacedBy = [&](Run run, Prefer prefer) {

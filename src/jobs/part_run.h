@@ -24,11 +24,13 @@ struct PartInput {
   const PartPlace& place;
 };
 
-// A surface to remesh (a part, or a union of parts) by its number, and the targets of all surfaces.
+// A surface to remesh (a part, or a union of parts) by its number, the targets of all surfaces, and
+// the guides on this one, in its own space.
 struct PartTarget {
   const PartTargets& targets;
   const PartUnions& unions;
   std::size_t surface;
+  std::vector<Guide> guides = {};
 };
 
 // The outcome is in the part's own space. It has a tree only if the part is not stretched at its

@@ -16,6 +16,7 @@
 #include "jobs/inspected_parts.h"
 #include "jobs/level_switches.h"
 #include "jobs/part_run.h"
+#include "jobs/parts/part_guides.h"
 #include "jobs/parts/part_joining.h"
 #include "jobs/parts/part_report.h"
 #include "jobs/parts/part_targets.h"
@@ -85,7 +86,10 @@ class SurfaceRuns {
         options_(options),
         unions_(originals_.parts(), input.held, options),
         places_(placesOf(unions_.surfaces())),
-        targets_(unions_.surfaces(), places_, options) {}
+        targets_(unions_.surfaces(), places_, options),
+        guides_(sharedGuides(unions_.surfaces(), options)) {
+    run_.report.warnings = joined(std::move(run_.report.warnings), guides_.warnings);
+  }
 
   // Returns the last surface's tree.
   std::optional<ListedTree> all(const Progress& progress) {
@@ -119,7 +123,8 @@ class SurfaceRuns {
   void one(std::size_t surface, const Progress& progress) {
     const std::vector<std::size_t>& members = unions_.membersOf(surface);
     const TriangleMesh& mesh = unions_.surfaces()[surface].mesh;
-    const PartTarget target = {targets_, unions_, surface};
+    PartTarget target = {targets_, unions_, surface};
+    if (!guides_.ofSurface.empty()) target.guides = guides_.ofSurface[surface];
     Welding welding = members.size() > 1 ? Welding(mesh) : originals_.weldings()[members.front()];
     RemeshOutcome outcome =
         remeshAsShown({mesh, std::move(welding), places_[surface]}, target, progress);
@@ -145,6 +150,7 @@ class SurfaceRuns {
   const PartUnions unions_;
   const std::vector<PartPlace> places_;  // per surface
   PartTargets targets_;
+  const SharedGuides guides_;
   bool isAny_ = false;  // whether a surface has been remeshed
   std::optional<ListedTree> tree_;
 };

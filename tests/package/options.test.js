@@ -109,6 +109,7 @@ function sample({ type, choices, default: standard, min = 1 }, wanted = true) {
   if (type === 'shares') return [0.5];
   if (type === 'floats') return new Float32Array(1);
   if (type === 'indices') return [0];
+  if (type === 'guides') return [[[0, 0, 0], [1, 0, 0]]];
   return type === 'pairs' ? [[0, 1]] : Math.max(min, 1);
 }
 

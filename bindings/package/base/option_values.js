@@ -3,6 +3,7 @@
 // travel to the core.
 
 import { RemeshError } from './errors.js';
+import { flatGuides } from './guides.js';
 import { legible } from './legible.js';
 import { lengthFrom, pixelsFrom, takesLength } from './lengths.js';
 
@@ -33,6 +34,7 @@ export function rangeInWords(option) {
   if (option.type === 'floats') return 'a Float32Array with one value per vertex';
   if (option.type === 'indices') return 'a Uint32Array or array of triangle numbers, not empty';
   if (option.type === 'pairs') return 'a Uint32Array of vertex pairs, or an array of pairs';
+  if (option.type === 'guides') return 'an array of lines, or of { points, kind }';
   const kind = option.type === 'integer' ? 'a whole number' : 'a number';
   const length = takesLength(option) ? ', a length like 0.1mm' : '';
   const off = option.word ? `${length}, or ${option.word}` : length.replace(' a', ' or a');
@@ -71,6 +73,8 @@ function isAllowed(option, value) {
       return areIndices(value);
     case 'pairs':
       return value instanceof Uint32Array || Array.isArray(value);
+    case 'guides':
+      return Array.isArray(value);
     default:
       return (option.word !== undefined && value === option.word)
         || isLength(option, value) || isInRange(option, value);
@@ -125,5 +129,6 @@ export function canonical(option, value) {
   if (option.type === 'shares') {
     return pixelsFrom(value[0]) === undefined ? Float64Array.from(value) : [...value];
   }
+  if (option.type === 'guides') return flatGuides(value);
   return option.type === 'pairs' ? flattened(value) : value;
 }

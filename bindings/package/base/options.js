@@ -29,7 +29,7 @@ export { checkValue, rangeInWords } from './option_values.js';
  * @property {string} [flag] Its name on the command line, with a letter for its value.
  * @property {string} [alias] Another name on the command line.
  * @property {'integer' | 'number' | 'choice' | 'boolean' | 'shares' | 'floats' | 'pairs' |
- *   'indices'} type
+ *   'indices' | 'guides'} type
  *   The type of its value.
  * @property {string} help What it is for.
  * @property {string} [unit] The unit of its value.
@@ -134,14 +134,16 @@ export const optionTable = [
   { name: 'quads', flag: '--quads', type: 'boolean', default: false,
     help: 'pure quads instead of triangles, along features and curvature; the number of vertices '
       + 'within 1 %, or within 4 % where a nearer one costs irregular vertices' },
-  { name: 'exact', flag: '--exact', type: 'boolean', default: false,
-    needs: [{ quads: [true] }],
+  { name: 'exact', flag: '--exact', type: 'boolean', default: false, needs: [{ quads: [true] }],
     help: 'of quads: exactly the number of vertices' },
   { name: 'symmetry', flag: '--symmetry S', type: 'choice',
     choices: ['auto', 'off', 'x', 'y', 'z', 'xy', 'xz', 'yz', 'xyz'], default: 'auto',
     needs: [{ quads: [true] }],
     help: 'of quads; auto: where planes mirror the model they mirror the quads exactly; x, xy …: '
       + 'planes at right angles to these axes mirror the quads, whatever the model is' },
+  { name: 'guides', flag: '--guides FILE', type: 'guides', form: false, needs: [{ quads: [true] }],
+    help: 'lines on or near the model, for quads to follow, in an .obj, .gltf or .glb: closed ones '
+      + 'become sides of quads, others, and those named direction, lead the quads beside them' },
   { name: 'textures', flag: '--textures T', type: 'choice',
     choices: ['auto', 'keep', 'drop', 'bake'], default: 'auto',
     help: 'keep: texture coordinates, along their seams; drop: leave them out; bake (to glTF): '

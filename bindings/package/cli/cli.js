@@ -29,7 +29,8 @@ async function report({ command, json, quiet }, result) {
 
 /** @param {CommandLine} line */
 async function runOne(line) {
-  const { command, inputs: [input, operand], output, format, quiet, root, force, options } = line;
+  const { command, inputs: [input, operand], output, format, quiet, root, force, guides,
+    options } = line;
   if (command === 'help' || command === 'version') return;
   const isPiped = output === '-';
   const plain = withoutGz(basename(input));
@@ -37,7 +38,7 @@ async function runOne(line) {
   const { onProgress, clear } = progressBar(quiet || ['inspect', 'convert'].includes(command));
   const result = await runFile(
     { command, input, second: line.onto || operand, output: isPiped ? '' : output, outputName,
-      root, force, options },
+      root, force, guides, options },
     new Api(platform), { worker: false, onProgress }).finally(clear);
   if (isPiped && result.files.length > 1) {
     throw new RemeshError('INVALID_OPTION',

@@ -31,6 +31,7 @@ import {
  * @property {number} jobs how many at once; 0: as many as there are cores
  * @property {boolean} json
  * @property {boolean} quiet
+ * @property {string | undefined} guides the file that option guides comes from
  * @property {Record<string, unknown>} options
  */
 
@@ -123,6 +124,12 @@ function formatFrom(text) {
   const format = formats.find((known) => known === name);
   if (format) return format;
   throw wrongUse(`--format must be ${inWords(formats)}, not '${legible(text)}'.`);
+}
+
+/** The lines themselves are read with the model. @param {CommandLine} line @param {string} file */
+function setGuides(line, file) {
+  line.guides = file;
+  line.options.guides = [];
 }
 
 /** @param {CommandLine} line @param {string} flag @param {string} value */
@@ -272,12 +279,14 @@ export function parseCommandLine(words) {
   /** @type {CommandLine} */
   const line = {
     command: 'remesh', inputs: [], onto: '', output: '', format: '', root: undefined, force: false,
-    skipExisting: false, jobs: 0, json: false, quiet: false, options: {},
+    skipExisting: false, jobs: 0, json: false, quiet: false, guides: undefined, options: {},
   };
   const names = [];
   for (const { flag, value } of tokens(words)) {
     const option = tableFlags.get(flag);
-    if (option) line.options[option.name] = option.type === 'boolean' || valueFrom(option, value);
+    if (option?.type === 'guides') setGuides(line, value);
+    else if (option?.type === 'boolean') line.options[option.name] = true;
+    else if (option) line.options[option.name] = valueFrom(option, value);
     else if (flag === '') names.push(value);
     else setOwn(line, flag, value);
   }

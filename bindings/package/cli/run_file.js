@@ -6,6 +6,7 @@ import { basename } from 'node:path';
 
 import { RemeshError } from '../base/errors.js';
 import { withPreset } from '../base/presets.js';
+import { guidesFrom } from '../codecs/guides_file.js';
 import { gunzip } from '../codecs/gunzip.js';
 import { referencesOf } from '../codecs/resources.js';
 import { Gate } from '../files/gate.js';
@@ -32,6 +33,7 @@ import { requireOutput, writeOutput } from '../files/output.js';
  * @property {string} outputName
  * @property {string | undefined} root
  * @property {boolean} force
+ * @property {string} [guides] the file with lines that quads follow
  * @property {Record<string, unknown>} options
  */
 
@@ -89,6 +91,19 @@ async function withResources(input, { name, bytes }, { command, root, options })
   return { name, bytes, gate, resources: await readResources({ name, bytes, isPainted }, gate) };
 }
 
+/**
+ * The task with the guides of its file among its options.
+ * @param {FileTask} task @returns {Promise<FileTask>}
+ */
+async function withGuides(task) {
+  if (task.guides === undefined) return task;
+  const file = await read(task.guides);
+  const gate = await Gate.of(task.guides, task.root);
+  const resources = await readResources({ ...file, isPainted: false }, gate);
+  const named = Object.entries(resources).map(([name, bytes]) => ({ name, bytes }));
+  return { ...task, options: { ...task.options, guides: guidesFrom(file, named) } };
+}
+
 /** @param {string} input */
 const read = async (input) => gunzip({ name: basename(input), bytes: await readInput(input) });
 
@@ -126,12 +141,13 @@ async function work({ command, outputName: output, options }, api, [file, second
 }
 
 /**
- * @param {FileTask} task
+ * @param {FileTask} given
  * @param {Api} api
  * @param {RunOptions} run where it runs, who hears of its progress
  * @returns {Promise<FileResult>}
  */
-export async function runFile(task, api, run) {
+export async function runFile(given, api, run) {
+  const task = await withGuides(given);
   const { input, second, output, force } = task;
   const inputs = second === undefined ? [input] : [input, second];
   const files = [];

@@ -96,7 +96,7 @@ class Batch {
    */
   async #step(step, number, api) {
     const { input, output } = step;
-    const { command, root, force, skipExisting, options } = this.line;
+    const { command, root, force, skipExisting, guides, options } = this.line;
     if (step.error) throw step.error;
     if (this.clashing.has(step)) {
       throw unwritable(output, 'another input’s result has this name',
@@ -113,7 +113,7 @@ class Batch {
     const result = await runFile({
       command: command === 'convert' || command === 'repair' || command === 'unwrap' ? command
         : 'remesh',
-      input, output, outputName: basename(output), root, force, options,
+      input, output, outputName: basename(output), root, force, guides, options,
     }, api, { onProgress: this.progress.listener(number) });
     return this.#succeed(step, result.report);
   }

@@ -229,6 +229,8 @@ RemeshOptions PartFrames::applied(RemeshOptions options) const {
   for (std::optional<double>* const length :
        {&options.edgeLength, &options.minEdge, &options.maxEdge, &options.lengths.maxError})
     if (*length) **length *= world_.scale();
+  for (Guide& guide : options.guides)
+    for (Vec3& p : guide.points) p = world_.here(p);
   return options;
 }
 

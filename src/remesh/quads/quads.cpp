@@ -87,12 +87,12 @@ struct MapStart {
 
 // The quads of a part, mapped on the first mesh that has a map; no quads if no mesh has one.
 // `start` becomes the one used, or the last one tried.
-QuadMesh mapOn(BaseMeshes& bases, MapStart& start, const PartShare& share, bool isGraded) {
+QuadMesh mapOn(BaseMeshes& bases, MapStart& start, const PartShare& share, const QuadGoal& goal) {
+  SizeMaker& sizes = goal.isGraded ? gradedSizes : evenSizes;
   for (;;) {
     bool isOpen = false;
     while (const WorkingMesh* part = bases.part(start.level, share.number)) {
-      QuadMesh quads =
-          mapToQuads(*part, share.vertices, isGraded ? gradedSizes : evenSizes, start.tears);
+      QuadMesh quads = mapToQuads(*part, share.vertices, sizes, start.tears, goal.guides);
       if (!quads.quads.empty()) return quads;
       isOpen = isOpen || boundaryLoopCount(part->mesh()) > 0;
       ++start.level;
@@ -104,9 +104,10 @@ QuadMesh mapOn(BaseMeshes& bases, MapStart& start, const PartShare& share, bool 
   return {};
 }
 
-QuadMesh pairsOf(const WorkingMesh& mesh, double length) {
+QuadMesh pairsOf(const WorkingMesh& mesh, double length, std::span<const Guide> guides = {}) {
   const FaceFrames frames(mesh);
-  return splitPairs(mesh, pairTriangles(mesh, frames, makeSmoothField(mesh, frames, length)));
+  const CrossField field = makeSmoothField(mesh, frames, length, guides);
+  return splitPairs(mesh, pairTriangles(mesh, frames, field));
 }
 
 // As many vertices as a triangle has that is divided into quads at its middle.
@@ -144,7 +145,7 @@ MadeQuads pairTiny(std::vector<PartShare>& shares, const std::vector<WorkingMesh
 // Makes quads by pairs, not yet shaped, for the parts with these numbers. How many triangles stay
 // single is not known before: so the number of triangles is corrected, up to three meshes in all.
 MadeQuads pairParts(const std::vector<PartShare>& wanted, std::size_t vertices,
-                    const TriangleMaker& triangles) {
+                    const TriangleMaker& triangles, const QuadGoal& goal) {
   double share = 0;
   for (const PartShare& one : wanted) share += one.vertices;
   std::size_t coarse = std::max<std::size_t>(vertices / 4, 4);
@@ -159,7 +160,7 @@ MadeQuads pairParts(const std::vector<PartShare>& wanted, std::size_t vertices,
       const auto isIt = [&](const PartShare& one) { return one.number == number; };
       const auto found = std::find_if(wanted.begin(), wanted.end(), isIt);
       if (found == wanted.end()) continue;
-      appendPairs(quads, pairsOf(part, std::sqrt(areaOf(part) / found->vertices)));
+      appendPairs(quads, pairsOf(part, std::sqrt(areaOf(part) / found->vertices), goal.guides));
     }
     const auto count = double(quads.mesh.vertices.size());
     if (std::abs(count / share - 1) <= kCountTolerance / 2) break;
@@ -245,7 +246,7 @@ class QuadMaking {
     std::vector<PartShare> failed;
     std::vector<Mapped> mapped;
     for (const PartShare& one : shares) {
-      QuadMesh quads = mapOn(bases_, starts_[one.part], one, goal_.isGraded);
+      QuadMesh quads = mapOn(bases_, starts_[one.part], one, goal_);
       if (quads.quads.empty())
         failed.push_back(one);
       else
@@ -253,7 +254,7 @@ class QuadMaking {
     }
     if (!failed.empty()) {
       const auto vertices = std::size_t(std::ceil(share * expected_));
-      MadeQuads pairs = pairParts(failed, vertices, triangles_);
+      MadeQuads pairs = pairParts(failed, vertices, triangles_, goal_);
       shape(pairs.mesh, bases_.first());
       append(result.mesh, pairs.mesh);
       result.paired.insert(result.paired.end(), pairs.paired.begin(), pairs.paired.end());
@@ -284,7 +285,7 @@ class QuadMaking {
       const double whole = std::max(left * part, fair / 2);
       if (std::abs(whole / fair - 1) > kCountTolerance / 2) {
         one.share.vertices = own * whole / fair;
-        QuadMesh again = mapOn(bases_, starts_[one.share.part], one.share, goal_.isGraded);
+        QuadMesh again = mapOn(bases_, starts_[one.share.part], one.share, goal_);
         if (!again.quads.empty()) one.quads = std::move(again);
       }
       const CountGoal count{std::size_t(std::lround(whole)), goal_.isExact && isLast, goal_.mirrors,

@@ -5,6 +5,8 @@
 #pragma once
 
 #include <functional>
+#include <span>
+#include <vector>
 
 #include "base/options.h"
 #include "base/paired_part.h"
@@ -31,12 +33,13 @@ constexpr double kCountTolerance = 0.01;
 constexpr double kFreeTolerance = 0.04;
 
 struct QuadGoal {
-  std::size_t vertices = 0;  // of the whole
-  bool isExact = false;      // else within kCountTolerance, or kFreeTolerance
-  Mirrors mirrors = {};      // the mesh is a half of the whole, cut off along these planes
-  bool isGraded = false;     // sizes of quads vary as those of the triangles
-  bool isDraft = false;      // on fewer triangles, and lost tips stay lost
-  bool isPart = false;       // one of several connected parts: on fewer triangles
+  std::size_t vertices = 0;        // of the whole
+  bool isExact = false;            // else within kCountTolerance, or kFreeTolerance
+  Mirrors mirrors = {};            // the mesh is a half of the whole, cut off along these planes
+  bool isGraded = false;           // sizes of quads vary as those of the triangles
+  bool isDraft = false;            // on fewer triangles, and lost tips stay lost
+  bool isPart = false;             // one of several connected parts: on fewer triangles
+  std::vector<Guide> guides = {};  // lines on the surface that lead the cross field
 };
 
 // The number of vertices of the whole: those on a plane are their own image.
@@ -54,7 +57,7 @@ enum class Tears { Refused, Closed };
 
 // Quads by the map, for one connected part; no quads if the map fails.
 QuadMesh mapToQuads(const WorkingMesh& part, double vertices, SizeMaker& sizesOn,
-                    Tears tears = Tears::Refused);
+                    Tears tears = Tears::Refused, std::span<const Guide> guides = {});
 
 // Quads by pairs, with about four times as many vertices as the mesh. length: of the quads' sides.
 QuadMesh pairToQuads(const WorkingMesh& mesh, double length);

@@ -18,6 +18,7 @@
 #include "remesh/symmetry/joined.h"
 #include "remesh/symmetry/mirror_planes.h"
 #include "remesh/symmetry/mirrored_edges.h"
+#include "remesh/symmetry/mirrored_guides.h"
 
 namespace remesher {
 
@@ -55,6 +56,11 @@ std::vector<VertexPair> edgesIn(const Half& half, const std::vector<VertexPair>&
   return own;
 }
 
+// The length of the sides of the whole's quads.
+double sideOf(const TriangleMesh& whole, const Mirrors& mirrors) {
+  return std::sqrt(extentOf(whole).area / double(mirrors.vertices));
+}
+
 struct Wished {
   const Mirrors& mirrors;
   const std::vector<VertexPair>& edges;  // that sides of quads are to follow
@@ -77,6 +83,9 @@ std::optional<RemeshOutcome> mirroredBy(const Wished& wished, const InputAttribu
   options.tooFew = TooFew::Raise;
   options.mirrors = mirrors;
   options.featureEdges = edgesIn(*half, wished.edges, whole.input());
+  const double side = sideOf(whole.input(), mirrors);
+  GuidesOfHalf guides = guidesInFront(options.guides, mirrors, side);
+  options.guides = std::move(guides.guides);
   RemeshOutcome made = remeshHalf(half->mesh, options);
   if (made.stopped != Stopped::Target && wished.kind == Kind::AsGiven) return {};
   std::optional<PlacedQuads> joined = joinedImages({std::move(made.mesh), std::move(made.places)},
@@ -88,6 +97,11 @@ std::optional<RemeshOutcome> mirroredBy(const Wished& wished, const InputAttribu
   made.vertices = countPlaces(made.mesh.positions);
   std::erase_if(made.warnings, isNumberNote);
   noteNumber(made, {mirrors.vertices, options.exact});
+  if (guides.moved > 0)
+    made.warnings.push_back({"GUIDES_MIRRORED",
+                             "The quads are mirrored, and guides with them: what lies behind a "
+                             "plane was mirrored, and is left out where its image has a guide.",
+                             guides.moved});
   made.mirrors = mirrors.planes;
   return made;
 }

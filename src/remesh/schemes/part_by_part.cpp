@@ -16,6 +16,7 @@
 #include "mesh/joints.h"
 #include "remesh/operators/projection.h"
 #include "remesh/quads/mesh/quad_parts.h"
+#include "remesh/schemes/guided.h"
 #include "remesh/schemes/number_note.h"
 #include "remesh/schemes/plan.h"
 #include "remesh/schemes/targets.h"
@@ -267,6 +268,7 @@ std::optional<RemeshOutcome> remeshPartByPart(const TriangleMesh& input, const W
   if (flat > 0)
     whole.warnings.push_back(
         {"DEGENERATE_TRIANGLES_REMOVED", "Connected parts without an area were left out.", flat});
+  const std::vector<std::vector<Guide>> guides = guidesByPart(input, parts, options.guides);
   double share = 1, done = 0;
   for (const SurfacePart& part : parts) {
     const bool isLast = &part == &parts.back();
@@ -274,6 +276,7 @@ std::optional<RemeshOutcome> remeshPartByPart(const TriangleMesh& input, const W
     RemeshOptions own = optionsOf(
         part, options, isLast ? left : left * part.share / std::max({share, part.share, 1e-300}));
     own.exact = options.exact && isLast;
+    own.guides = guides[std::size_t(&part - parts.data())];
     const double portion = (part.share + 1 / double(parts.size())) / 2;
     takePart(whole, remeshPart(part, own, progress.part(done, done + portion)), part, known);
     done += portion;

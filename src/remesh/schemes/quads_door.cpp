@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "remesh/schemes/guided.h"
 #include "remesh/schemes/part_by_part.h"
 #include "remesh/symmetry/own_mirrors.h"
 
@@ -41,11 +42,9 @@ RemeshOutcome remeshAlone(const SurfacePart& part, const RemeshOptions& options,
   return std::move(*mirrored.made);
 }
 
-}  // namespace
-
-RemeshOutcome remeshAsQuads(const TriangleMesh& input, const Welding& welding,
-                            const RemeshOptions& options, const PlainRemesher& plain,
-                            const Progress& progress) {
+RemeshOutcome remeshUnguided(const TriangleMesh& input, const Welding& welding,
+                             const RemeshOptions& options, const PlainRemesher& plain,
+                             const Progress& progress) {
   if (isForced(options.symmetry))
     return remeshForced(input, options, [&](const TriangleMesh& half, const RemeshOptions& own) {
       const auto remeshed = [&](const SurfacePart& part, const RemeshOptions& its,
@@ -66,6 +65,23 @@ RemeshOutcome remeshAsQuads(const TriangleMesh& input, const Welding& welding,
   SurfacePart all;
   all.mesh = input;
   return remeshAlone(all, options, plain, Scope::Whole, progress);
+}
+
+}  // namespace
+
+RemeshOutcome remeshAsQuads(const TriangleMesh& input, const Welding& welding,
+                            const RemeshOptions& options, const PlainRemesher& plain,
+                            const Progress& progress) {
+  if (options.guides.empty()) return remeshUnguided(input, welding, options, plain, progress);
+  RemeshOptions own = options;
+  own.guides = guidesOn(input, options);
+  const auto guided = [&](const TriangleMesh& part, const RemeshOptions& its, Scope scope,
+                          const Progress& stretch) {
+    return remeshGuided(part, its, [&](const TriangleMesh& divided, const RemeshOptions& last) {
+      return plain(divided, last, scope, stretch);
+    });
+  };
+  return remeshUnguided(input, welding, own, guided, progress);
 }
 
 }  // namespace remesher

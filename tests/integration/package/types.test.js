@@ -57,7 +57,8 @@ const program = [
 function valueOf({ type, choices, min, above }) {
   if (choices) return `'${choices[0]}'`;
   const values = { boolean: 'true', shares: '[0.5]', floats: 'new Float32Array(3)',
-    pairs: '[[0, 1]]', indices: '[0, 1]' };
+    pairs: '[[0, 1]]', indices: '[0, 1]',
+    guides: "[{ points: [[0, 0, 0], [1, 0, 0]], kind: 'direction' }]" };
   return values[type] ?? String(min ?? above + 1);
 }
 

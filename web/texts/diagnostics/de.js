@@ -119,6 +119,11 @@ export default {
   'warning.RESOURCE_NOT_GIVEN': 'Eine Datei, auf die das Modell verweist, war nicht dabei.',
   'warning.SCRAPS_REMOVED': 'Dreiecke wurden entfernt: von kleinen offenen Komponenten, solche, '
     + 'die neben einem Loch nur in einem Punkt an der Fläche hängen, und doppelte.',
+  'warning.GUIDES_FAR_AWAY': 'Führungslinien liegen weiter als 1 % der Diagonale von der Fläche '
+    + 'weg: die Vierecke folgen den nächsten Stellen auf ihr.',
+  'warning.GUIDES_MIRRORED': 'Die Vierecke sind gespiegelt, und Führungslinien mit ihnen.',
+  'warning.GUIDES_NOT_KEPT': 'Führungslinien wurden nur teilweise zu Seiten von Vierecken: sie '
+    + 'liegen zu nah an anderen Kurven oder sind zu kurz für Vierecke dieser Größe.',
   'warning.HIDDEN_BODIES_REMOVED': 'Körper wurden entfernt, die in anderen liegen und nicht zu '
     + 'sehen '
     + 'sind.',

@@ -109,6 +109,12 @@ export default {
   'warning.RESOURCE_NOT_GIVEN': 'Un fichier auquel le modèle renvoie n’a pas été donné.',
   'warning.SCRAPS_REMOVED': 'Des triangles ont été retirés : ceux de petites composantes ouvertes, '
     + 'ceux qui, près d’un trou, ne touchent la surface qu’en un point, et les doubles.',
+  'warning.GUIDES_FAR_AWAY': 'Des lignes guides sont à plus de 1 % de la diagonale de la '
+    + 'surface : les quadrilatères suivent les points les plus proches sur elle.',
+  'warning.GUIDES_MIRRORED': 'Les quadrilatères sont symétriques, et les lignes guides avec eux.',
+  'warning.GUIDES_NOT_KEPT': 'Des lignes guides ne sont devenues des côtés de quadrilatères '
+    + 'qu’en partie : elles sont trop près d’autres courbes, ou trop courtes pour des '
+    + 'quadrilatères de cette taille.',
   'warning.HIDDEN_BODIES_REMOVED': 'Des corps situés dans d’autres, que l’on ne voit pas, ont été '
     + 'retirés.',
   'warning.CAVITIES_FILLED': 'Des cavités invisibles de l’extérieur ont été remplies.',

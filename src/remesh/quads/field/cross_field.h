@@ -8,6 +8,9 @@
 // them to size 1 in turn approaches the smoothest crosses.
 #pragma once
 
+#include <span>
+
+#include "base/options.h"
 #include "remesh/quads/field/face_frames.h"
 
 namespace remesher {
@@ -27,8 +30,9 @@ struct CrossField {
 };
 
 // length: of the quads' sides, model units. Curvature is weighted by how far the surface bends over
-// this length.
-CrossField makeCrossField(const WorkingMesh& mesh, const FaceFrames& frames, double length);
+// this length. guides: lines on the surface whose directions count for more than curvature.
+CrossField makeCrossField(const WorkingMesh& mesh, const FaceFrames& frames, double length,
+                          std::span<const Guide> guides = {});
 
 // Keeps the turns, and makes the angles as smooth as the turns allow.
 void smoothAngles(CrossField& field, const WorkingMesh& mesh, const FaceFrames& frames);

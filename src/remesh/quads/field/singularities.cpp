@@ -149,8 +149,9 @@ void cancelPairs(CrossField& field, const WorkingMesh& mesh, const FaceFrames& f
   if (isChanged) smoothAngles(field, mesh, frames);
 }
 
-CrossField makeSmoothField(const WorkingMesh& mesh, const FaceFrames& frames, double length) {
-  CrossField field = makeCrossField(mesh, frames, length);
+CrossField makeSmoothField(const WorkingMesh& mesh, const FaceFrames& frames, double length,
+                           std::span<const Guide> guides) {
+  CrossField field = makeCrossField(mesh, frames, length, guides);
   cancelPairs(field, mesh, frames, kCancelWithin * length);
   return field;
 }

@@ -19,6 +19,7 @@ void cancelPairs(CrossField& field, const WorkingMesh& mesh, const FaceFrames& f
                  double reach);
 
 // A field for quads with sides of this length, its nearest pairs cancelled.
-CrossField makeSmoothField(const WorkingMesh& mesh, const FaceFrames& frames, double length);
+CrossField makeSmoothField(const WorkingMesh& mesh, const FaceFrames& frames, double length,
+                           std::span<const Guide> guides = {});
 
 }  // namespace remesher
