@@ -123,6 +123,7 @@ export const configureUnitTests = (system) => configure(unitTests(system));
 
 /** @param {System} system */
 export const buildMeasure = (system) => buildTarget({
-  what: 'the measuring tools', folder: 'build/native', names: ['ablation', 'fires', 'measure', 'mended'],
+  what: 'the measuring tools', folder: 'build/native',
+  names: ['ablation', 'fires', 'measure', 'mended'],
   definitions: [...commonDefinitions(system), '-DCMAKE_BUILD_TYPE=Release'],
 });

@@ -118,6 +118,30 @@ test('the site fits a phone, is searched, and asks for nothing elsewhere', async
   close();
 });
 
+test('figures of how it works show what the engine makes, and follow the hand', async () => {
+  const { url, close } = await serve(join(root, reference), "'unsafe-inline'");
+  const page = await browser.newPage({ viewport: { width: 800, height: 900 } });
+  await page.goto(`${url}/documents/How_it_works.html`);
+  const figures = page.locator('figure[data-scene]');
+  const count = await figures.count();
+  assert.ok(count >= 5);
+  await page.waitForFunction((all) => document.querySelectorAll('figure canvas').length === all,
+    count);
+  for (let i = 0; i < count; ++i) {
+    const canvas = figures.nth(i).locator('canvas');
+    await canvas.scrollIntoViewIfNeeded();
+    const before = await canvas.screenshot();
+    const { x, y, width, height } = await canvas.boundingBox();
+    await page.mouse.move(x + 0.7 * width, y + 0.46 * height);  // where planes have a corner
+    await page.mouse.down();
+    await page.mouse.move(x + 0.73 * width, y + 0.55 * height, { steps: 4 });
+    await page.mouse.up();
+    assert.notDeepEqual(await canvas.screenshot(), before, await figures.nth(i).textContent());
+  }
+  await page.close();
+  close();
+});
+
 test('the page leads to it where it lies beside it, and nowhere where it does not', async () => {
   const built = await builtPage();
   const bare = readFileSync(join(built, 'index.html'), 'utf8');

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The option `prefer`: isotropic triangles, or vertices of the original where its shape and looks need
-// them most; exactly as many as asked for either way, and the report says which.
+// The option `prefer`: isotropic triangles, or vertices of the original where its shape and looks
+// need them most; exactly as many as asked for either way, and the report says which.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
@@ -125,7 +125,7 @@ test('what decides where vertices lie excludes a shape that is preferred', async
   await remesh(ring, { vertices: 200, prefer: 'shape', maxError: 'off', worker: false });
 });
 
-test('no number: a part gets the vertices that isotropic triangles need, which is said', async () => {
+test('no number: a part gets the vertices of isotropic triangles, which is said', async () => {
   const { report } = await remesh(plate(), { worker: false });
   const { input, output, fidelity, warnings } = report;
   assert.ok(output.vertices > input.vertices && output.vertices <= 4 * input.vertices);

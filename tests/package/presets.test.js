@@ -57,7 +57,8 @@ test('a run with a preset is the run with its options, and the report names them
   assert.deepEqual(one.report.preset, values);
   assert.equal(other.report.preset, undefined);
   assert.match(reportInWords(one.report),
-    /^preset, in full: --adaptivity 0.3 --gradation 1.3 --feature-angle 30 --min-angle 20 --repair auto\n/);
+    new RegExp('^preset, in full: --adaptivity 0.3 --gradation 1.3 --feature-angle 30 '
+      + '--min-angle 20 --repair auto\n'));
 });
 
 test('nothing is baked where there is nothing to bake from, or no file that would hold it',

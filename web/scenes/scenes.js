@@ -15,6 +15,6 @@ const scenes = {
   remeshed: remeshedScene,
 };
 
-for (const figure of document.querySelectorAll('figure[data-scene]')) {
-  if (figure instanceof HTMLElement) await scenes[figure.dataset.scene ?? ''](figure);
-}
+/** @type {NodeListOf<HTMLElement>} */
+const figures = document.querySelectorAll('figure[data-scene]');
+for (const figure of figures) scenes[figure.dataset.scene ?? ''](figure);

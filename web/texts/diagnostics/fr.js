@@ -174,8 +174,8 @@ export default {
     + 'bords » les '
     + 'laisse ouvertes.',
   'warning.RIMS_LEFT_OPEN': 'Des boucles qui semblent voulues sont restées ouvertes.',
-  'warning.REMADE_IN_PART': 'Des corps sans extérieur exact ont été refaits par une grille. Tous les '
-    + 'autres triangles sont inchangés, ou réparés exactement.',
+  'warning.REMADE_IN_PART': 'Des corps sans extérieur exact ont été refaits par une grille. Tous '
+    + 'les autres triangles sont inchangés, ou réparés exactement.',
   'warning.RIMS_NOT_KEPT': 'Une grille a refait la surface, et ne laisse aucune boucle ouverte.',
   'warning.SHEETS_MADE_BODIES': 'Des feuilles sont devenues des corps fermés.',
   'warning.SHEETS_NOT_MADE_BODIES': 'Les feuilles ne sont pas devenues les corps demandés : leurs '
