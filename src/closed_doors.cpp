@@ -3,6 +3,7 @@
 // are in the whole one. Whoever calls a module by way of the package gets the engine that the job
 // needs.
 #include "base/error.h"
+#include "jobs/angle_number.h"
 #include "jobs/checks/quad_checks.h"
 #include "jobs/checks/wanted_check.h"
 #include "jobs/checks/whole_steps.h"
@@ -55,6 +56,11 @@ std::optional<WantedReport> wantedOf(const std::vector<io::Part>&, const RemeshO
 std::vector<Warning> wantedMissed(const MeshReport&, const std::vector<io::Part>&,
                                   const RemeshOptions&, const Unmet&) {
   return {};
+}
+
+bool leadsByAngle(const RemeshOptions&) { return false; }
+RemeshOutcome remeshToAngle(const TriangleMesh&, Welding, const RemeshOptions&, const Progress&) {
+  refuse("A smallest angle");
 }
 
 RegionRun::RegionRun(std::vector<io::Part>&, const RemeshOptions& options) {

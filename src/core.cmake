@@ -368,6 +368,7 @@ set(small
   src/textures/repaint.cpp
 )
 set(doors
+  src/jobs/angle_number.cpp
   src/jobs/checks/quad_checks.cpp
   src/jobs/checks/wanted_check.cpp
   src/jobs/checks/whole_steps.cpp

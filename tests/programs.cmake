@@ -48,6 +48,7 @@ add_executable(unit_tests
   tests/unit/io/text/off_test.cpp
   tests/unit/io/text/text_scanner_test.cpp
   tests/unit/io/text/xml_scanner_test.cpp
+  tests/unit/jobs/angle_number_test.cpp
   tests/unit/jobs/checks/crossing_check_test.cpp
   tests/unit/jobs/checks/option_checks_test.cpp
   tests/unit/jobs/checks/precision_test.cpp

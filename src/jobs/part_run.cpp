@@ -6,6 +6,7 @@
 
 #include "base/legible.h"
 #include "geometry/triangle.h"
+#include "jobs/angle_number.h"
 #include "jobs/checks/crossing_check.h"
 #include "jobs/fewest_vertices.h"
 #include "jobs/open_number.h"
@@ -50,6 +51,7 @@ RemeshOptions optionsFor(const PartTarget& target) {
 
 RemeshOutcome remeshPart(PartInput part, const RemeshOptions& options, const Progress& progress) {
   const Run remeshed = asksForFewest(options)      ? Run(remeshToFewest)
+                       : leadsByAngle(options)     ? Run(remeshToAngle)
                        : leavesNumberOpen(options) ? Run(remeshAtOpenNumber)
                                                    : Run(remeshSurface);
   return runOn(std::move(part), remeshed, options, progress);

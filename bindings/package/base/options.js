@@ -82,7 +82,8 @@ export const optionTable = [
     help: 'no edge is to be longer, as above. Without a number of vertices as few as it allows' },
   { name: 'minAngle', flag: '--min-angle D', type: 'number', above: 0, max: 60, unit: 'degrees',
     excludes: ofIsotropic,
-    help: 'no angle of a triangle is to be smaller, as above' },
+    help: 'no angle of a triangle is to be smaller, as above; without a number of vertices or '
+      + 'lengths of edges there may be more vertices than the input has' },
   { name: 'units', flag: '--units U', type: 'choice', choices: units, form: false,
     help: 'of the model’s lengths, so that options can be lengths with a unit, like 0.1mm; if not '
       + 'given those of the file: metres of glTF, what a 3MF says, none of others' },

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "jobs/angle_number.h"
+
+#include <doctest/doctest.h>
+
+#include "measure/hausdorff.h"
+#include "measure/mesh_report.h"
+#include "support/shapes.h"
+
+using namespace remesher;
+
+namespace {
+
+RemeshOptions withAngle(double degrees) {
+  RemeshOptions options;
+  options.minAngle = degrees;
+  return options;
+}
+
+RemeshOutcome made(const TriangleMesh& mesh, double degrees) {
+  return remeshToAngle(mesh, Welding(mesh), withAngle(degrees), {});
+}
+
+}  // namespace
+
+TEST_CASE("angle number: it leads only where nothing else does") {
+  CHECK(leadsByAngle(withAngle(20)));
+  CHECK(!leadsByAngle({}));
+  RemeshOptions options = withAngle(20);
+  options.maxEdge = 1;
+  CHECK(!leadsByAngle(options));
+  options.maxEdge.reset();
+  options.vertices = 100;
+  CHECK(!leadsByAngle(options));
+}
+
+TEST_CASE("angle number: a slab gets the vertices that its angles take, and keeps its shape") {
+  TriangleMesh slab = shapes::cube(1);
+  for (Vec3& p : slab.positions) p = p.cwiseProduct(Vec3(20, 5, 1));
+  REQUIRE(inspectMesh(slab).minAngle.worst < 20);
+  const RemeshOutcome outcome = made(slab, 20);
+  CHECK(inspectMesh(outcome.mesh).minAngle.worst >= 20);
+  CHECK(outcome.vertices > 8);
+  const DeviationBothWays found = measureDeviation(slab, outcome.mesh, Maximum::Sampled);
+  CHECK(found.toResult.maximum <= 1e-3 * found.diagonal);
+  REQUIRE(!outcome.warnings.empty());
+  CHECK(outcome.warnings.back().code == "MORE_VERTICES_TAKEN");
+}
+
+TEST_CASE("angle number: a mesh that keeps the angle anyway is the one without the limit") {
+  const TriangleMesh cube = shapes::cube(1);
+  CHECK(made(cube, 30).vertices == 8);
+  CHECK(inspectMesh(made(cube, 30).mesh).minAngle.worst == doctest::Approx(45));
+}
