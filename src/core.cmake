@@ -192,6 +192,7 @@ set(small
   src/mesh/check.cpp
   src/mesh/coordinate_step.cpp
   src/mesh/fan_cut.cpp
+  src/mesh/given_order.cpp
   src/mesh/hubs.cpp
   src/mesh/joining.cpp
   src/mesh/joints.cpp
@@ -316,6 +317,7 @@ set(small
   src/repair/boolean.cpp
   src/repair/diagnosis.cpp
   src/repair/exact_repair.cpp
+  src/repair/findings.cpp
   src/repair/fineness.cpp
   src/repair/flat_base.cpp
   src/repair/holes/close_holes.cpp

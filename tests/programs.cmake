@@ -87,6 +87,7 @@ add_executable(unit_tests
   tests/unit/mesh/coordinate_step_test.cpp
   tests/unit/mesh/edge_groups_test.cpp
   tests/unit/mesh/euler_operators_test.cpp
+  tests/unit/mesh/given_order_test.cpp
   tests/unit/mesh/halfedge_mesh_test.cpp
   tests/unit/mesh/handles_test.cpp
   tests/unit/mesh/hubs_test.cpp

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <utility>
 
 #include "io/model/bake.h"
+#include "io/model/same_mesh.h"
 #include "jobs/checks/result_check.h"
 #include "jobs/part_run.h"
 #include "jobs/parts/part_frames.h"
@@ -104,6 +106,42 @@ void warnOfMeeting(std::vector<PlacedWarning>& warnings, const std::vector<io::P
        merged.positions[corner]});
 }
 
+bool isBefore(const Vec3& p, const Vec3& q) {
+  return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
+}
+
+// Where the vertices of a repaired part come from. Numbers that a frame rounds to one are told
+// apart by it.
+struct Sources {
+  bool isUnchanged = false;
+  std::vector<Index> vertices;  // per vertex a given one at the same position; kNone: it is new
+};
+
+Sources sourcesOf(const TriangleMesh& made, const TriangleMesh& given) {
+  Sources sources;
+  sources.isUnchanged = io::isSame(made, given);
+  if (sources.isUnchanged) return sources;
+  std::vector<Index> order(given.positions.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  std::stable_sort(order.begin(), order.end(), [&](Index v, Index w) {
+    return isBefore(given.positions[v], given.positions[w]);
+  });
+  for (const Vec3& p : made.positions) {
+    const auto at = std::lower_bound(
+        order.begin(), order.end(), p,
+        [&](Index v, const Vec3& wanted) { return isBefore(given.positions[v], wanted); });
+    const bool isGiven = at != order.end() && given.positions[*at] == p;
+    sources.vertices.push_back(isGiven ? *at : kNone);
+  }
+  return sources;
+}
+
+void restore(TriangleMesh& mesh, const TriangleMesh& original, const Sources& sources) {
+  if (sources.isUnchanged) mesh = original;
+  for (std::size_t v = 0; v < sources.vertices.size(); ++v)
+    if (sources.vertices[v] != kNone) mesh.positions[v] = original.positions[sources.vertices[v]];
+}
+
 }  // namespace
 
 PartsRepair repairParts(std::vector<io::Part> parts, const RemeshOptions& options,
@@ -113,6 +151,7 @@ PartsRepair repairParts(std::vector<io::Part> parts, const RemeshOptions& option
   double total = 0, done = 0;
   std::size_t most = 0;
   std::vector<PlacedWarning> warnings;
+  std::vector<Sources> sources(parts.size());
   for (const io::Part& part : parts) total += double(part.mesh.triangleCount());
   RemeshOptions own = scale.isNeeded() ? scale.applied(options) : options;
   const std::vector<std::optional<double>> spacings = spacingsOf(result.parts, own);
@@ -133,6 +172,7 @@ PartsRepair repairParts(std::vector<io::Part> parts, const RemeshOptions& option
     repaired.mesh.isSingle = isSingle;
     repaired.mesh.frame = frame;
     repaired.mesh.steps = part.mesh.steps;
+    if (scale.isNeeded()) sources[i] = sourcesOf(repaired.mesh, part.mesh);
     part.mesh = std::move(repaired.mesh);
     result.isRemade |= repaired.isRemade;
     add(result.report, repaired.report);
@@ -152,7 +192,11 @@ PartsRepair repairParts(std::vector<io::Part> parts, const RemeshOptions& option
     }
     done += double(triangles);
   }
-  if (scale.isNeeded()) result.parts = scale.undone(std::move(result.parts), parts);
+  if (scale.isNeeded()) {
+    result.parts = scale.undone(std::move(result.parts), parts);
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      restore(result.parts[i].mesh, parts[i].mesh, sources[i]);
+  }
   warnOfMeeting(warnings, result.parts);
   result.warnings = inWords(std::move(warnings), result.parts);
   return result;

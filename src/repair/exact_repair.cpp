@@ -226,6 +226,10 @@ std::optional<ExactRepair> exactlyRepaired(const TriangleMesh& input, const Exac
     }
     result.way = ExactRepair::Way::Closed;
     if (countUnbalancedEdges(result.mesh) > 0) result = withLoopsClosed(result.mesh, rule.loops);
+    if (result.lost > ladder::kMostRemoved) {
+      fires("exact repair: too much would be removed");
+      return std::nullopt;
+    }
     // A disk over a straight loop has no area, either.
     if (!haveAreas(result.mesh)) stitchOpenEdges(result.mesh);
     if (rule.bodies) makeBodies(result, *rule.bodies);

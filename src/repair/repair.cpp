@@ -15,11 +15,13 @@
 #include "geometry/triangle.h"
 #include "geometry/triangle_meeting.h"
 #include "measure/self_intersections.h"
+#include "mesh/given_order.h"
 #include "mesh/joining.h"
 #include "mesh/used_vertices.h"
 #include "repair/body_union.h"
 #include "repair/diagnosis.h"
 #include "repair/exact_repair.h"
+#include "repair/findings.h"
 #include "repair/fineness.h"
 #include "repair/holes/close_holes.h"
 #include "repair/holes/plug.h"
@@ -31,47 +33,6 @@
 namespace remesher {
 
 namespace {
-
-Vec3 centreOf(const TriangleMesh& mesh, Index triangle) {
-  const Index* v = &mesh.indices[3 * std::size_t{triangle}];
-  return (mesh.positions[v[0]] + mesh.positions[v[1]] + mesh.positions[v[2]]) / 3;
-}
-
-std::vector<Vec3> firstOf(const TriangleMesh& mesh, const std::vector<Index>& triangles) {
-  if (triangles.empty()) return {};
-  return {centreOf(mesh, triangles.front())};
-}
-
-void warn(RepairedMesh& result, Warning warning, const std::vector<Vec3>& places = {}) {
-  if (warning.count == 0) return;
-  result.warnings.push_back({std::move(warning), std::nullopt});
-  if (!places.empty()) result.warnings.back().at = places.front();
-}
-
-void sortByWidth(std::vector<SizedPlace>& places) {
-  std::stable_sort(places.begin(), places.end(),
-                   [](const SizedPlace& a, const SizedPlace& b) { return a.across > b.across; });
-}
-
-// The widest first, as many as a report lists.
-std::vector<SizedPlace> listed(std::vector<SizedPlace> places) {
-  sortByWidth(places);
-  if (places.size() > kMostSizedPlaces) places.resize(kMostSizedPlaces);
-  return places;
-}
-
-void warnOfLoops(RepairedMesh& result, Warning warning, std::vector<SizedPlace> loops) {
-  if (loops.empty()) return;
-  sortByWidth(loops);
-  warning.count = loops.size();
-  result.warnings.push_back({std::move(warning), loops.front().at, loops.front().across});
-}
-
-void warnOfCrossings(RepairedMesh& result, const std::vector<Index>& crossings) {
-  result.report.selfIntersections[1] = crossings.size();
-  warn(result, {"CROSSINGS_LEFT", "Triangles intersect others.", crossings.size()},
-       firstOf(result.mesh, crossings));
-}
 
 bool makesBodies(const RemeshOptions& options) { return options.thickness || options.base; }
 
@@ -93,95 +54,8 @@ std::optional<BodyRule> bodyRule(const TriangleMesh& input, const RemeshOptions&
   return std::nullopt;
 }
 
-void warnOfSheets(RepairedMesh& result, Sheets sheets, std::size_t count) {
-  if (sheets == Sheets::Drop)
-    warn(result, {"SHEETS_DROPPED", "Sheets, which enclose nothing, were left out.", count});
-  else
-    warn(result,
-         {"SHEETS_THICKENED",
-          "Sheets, which enclose nothing, became thin solids behind their visible side.", count});
-}
-
-void warnOfHidden(RepairedMesh& result, const std::vector<Vec3>& hiddenAt) {
-  warn(result,
-       {"HIDDEN_BODIES_REMOVED", "Bodies were removed that lie inside others and are not seen.",
-        hiddenAt.size()},
-       hiddenAt);
-}
-
-// The report and the warnings of the exact steps.
-RepairedMesh asRepaired(ExactRepair exact, const char* mode) {
-  RepairedMesh result;
-  result.mesh = std::move(exact.mesh);
-  result.report.mode = mode;
-  result.report.holes = exact.holes;
-  result.report.islands = exact.islands;
-  result.report.shells = exact.hiddenAt.size() + exact.filledAt.size();
-  result.report.turned = exact.turned;
-  result.report.lost = exact.lost;
-  result.report.selfIntersections[0] = exact.crossingsBefore;
-  result.report.rims = exact.rimsAt.size();
-  result.report.bodies = exact.madeAt.size();
-  result.report.closedAt = listed(exact.closedAt);
-  result.report.rimsAt = listed(exact.rimsAt);
-  warnOfLoops(result,
-              {"RIMS_CLOSED", "Loops that look meant were closed; --keep-rims leaves them open."},
-              exact.meantAt);
-  warnOfLoops(result, {"RIMS_LEFT_OPEN", "Loops that look meant were left open."}, exact.rimsAt);
-  warn(result,
-       {"HOLES_LEFT_OPEN", "Holes that are longer around than asked for were left open.",
-        exact.openAt.size()},
-       exact.openAt);
-  warn(result,
-       {"SCRAPS_REMOVED",
-        "Triangles were removed: those of small open components, those that share only a vertex "
-        "with the surface beside a hole, and those given twice.",
-        exact.trianglesRemoved},
-       exact.removedAt);
-  warnOfHidden(result, exact.hiddenAt);
-  warn(result,
-       {"CAVITIES_FILLED", "Cavities that are not seen from outside were filled.",
-        exact.filledAt.size()},
-       exact.filledAt);
-  warn(result,
-       {"SHEETS_LEFT",
-        "Sheets such as cards, cloth or terrain enclose nothing and were left as they are; "
-        "wrapping makes them thin solids.",
-        exact.sheetsAt.size()},
-       exact.sheetsAt);
-  warnOfLoops(result, {"SHEETS_MADE_BODIES", "Sheets became closed bodies."}, exact.madeAt);
-  warn(result,
-       {"BASE_NOT_MADE",
-        "Sheets whose outline folds over itself, seen along the axis that they face, got no base.",
-        exact.noBaseAt.size()},
-       exact.noBaseAt);
-  warnOfCrossings(result, exact.crossings);
-  return result;
-}
-
 RepairedMesh withHolesClosed(const TriangleMesh& input, const RemeshOptions& options) {
   return asRepaired(closedOnly(input, loopRule(input, options, kInfinity)), "holes");
-}
-
-RepairedMesh asRepaired(Solid solid, const TriangleMesh& input, const SolidRule& rule) {
-  const InsideBy by = rule.by;
-  RepairedMesh result;
-  const bool isLost = std::round(100 * solid.loss.share) > 0;  // the report has two decimals
-  warn(result,
-       {"SEEN_PARTS_LOST",
-        "Parts that are seen from outside are lost: they are too thin, or lie in gaps that close.",
-        std::size_t{isLost}},
-       solid.loss.places);
-  warnOfSheets(result, rule.sheets, solid.enclosure.sheets);
-  result.report.mode = by == InsideBy::Reach ? "wrap" : "solid";
-  result.report.shells = solid.enclosure.shells;
-  result.report.turned = by == InsideBy::Reach ? 0 : solid.enclosure.turned;
-  result.report.lost = solid.loss.share;
-  result.report.lostBeyond = 100 * solid.loss.beyond / diagonalOf(input);
-  result.report.lostAt = std::move(solid.loss.places);
-  result.mesh = std::move(solid.mesh);
-  result.isRemade = true;
-  return result;
 }
 
 RepairedMesh wrapped(const TriangleMesh& input, const RemeshOptions& options) {
@@ -278,13 +152,13 @@ RepairedMesh remade(const TriangleMesh& input, const RemeshOptions& options) {
 // Says what was asked for and cannot be had of a surface that a lattice made, or of one left alone.
 RepairedMesh withBroken(const RemeshOptions& options, RepairedMesh result) {
   if (options.keepRims && result.isRemade)
-    warn(result,
-         {"RIMS_NOT_KEPT", "The surface was made anew by a lattice, which leaves no loop open."});
+    addWarning(result, {"RIMS_NOT_KEPT",
+                        "The surface was made anew by a lattice, which leaves no loop open."});
   if (makesBodies(options))
-    warn(result,
-         {"SHEETS_NOT_MADE_BODIES",
-          "Sheets did not become bodies as asked: their sides intersect in ways that cannot "
-          "be cut exactly. Ask for less thickness."});
+    addWarning(result,
+               {"SHEETS_NOT_MADE_BODIES",
+                "Sheets did not become bodies as asked: their sides intersect in ways that cannot "
+                "be cut exactly. Ask for less thickness."});
   return result;
 }
 
@@ -366,12 +240,13 @@ std::optional<RepairedMesh> withRest(RepairedMesh result, const TriangleMesh& re
   result.report.shells += joined->hiddenAt.size();
   warnOfHidden(result, joined->hiddenAt);
   const std::size_t remadeTriangles = rest.triangleCount();
-  warn(result,
-       {"REMADE_IN_PART",
-        "Triangles of bodies without an exact outside were replaced by a lattice's surface. All "
-        "others are as they were, or mended exactly.",
-        remadeTriangles},
-       firstOf(rest, {0}));
+  addWarning(
+      result,
+      {"REMADE_IN_PART",
+       "Triangles of bodies without an exact outside were replaced by a lattice's surface. All "
+       "others are as they were, or mended exactly.",
+       remadeTriangles},
+      centreOfFirst(rest, {0}));
   warnOfCrossings(result, joined->crossings);
   return result;
 }
@@ -421,6 +296,15 @@ RepairedMesh repaired(const TriangleMesh& input, const RemeshOptions& options) {
   }
 }
 
+bool isSameMesh(const TriangleMesh& one, const TriangleMesh& other) {
+  return one.positions == other.positions && one.indices == other.indices &&
+         one.groups == other.groups &&
+         std::equal(one.attributes.begin(), one.attributes.end(), other.attributes.begin(),
+                    other.attributes.end(), [](const Attribute& a, const Attribute& b) {
+                      return a.semantic == b.semantic && a.values == b.values;
+                    });
+}
+
 // Without cracks, and without triangles that have no area: they join nothing once they are cut.
 TriangleMesh stitched(const TriangleMesh& input) {
   TriangleMesh mesh = atOnePosition(input);
@@ -454,14 +338,14 @@ FaultReport faultsOf(const TriangleMesh& input) {
     faults.places.openLoops.push_back(diagnosis.built.positions[loop.vertices.front()]);
   }
   faults.selfIntersections = diagnosis.crossings.size();
-  faults.places.selfIntersections = firstOf(input, diagnosis.crossings);
+  faults.places.selfIntersections = centreOfFirst(input, diagnosis.crossings);
   faults.places.innerShells = cornersOf(diagnosis, isShell);
   faults.innerShells = faults.places.innerShells.size();
   faults.places.insideOut = cornersOf(diagnosis, isInsideOut);
   faults.insideOut = faults.places.insideOut.size();
   if (isSound(diagnosis)) return faults;
   RemeshOptions alone;
-  alone.repair = faults.repair = repairFor(input);
+  alone.repair = faults.repair = repairFor(inCanonicalOrder(input));
   faults.needs = needsOf(input, alone);
   return faults;
 }
@@ -484,8 +368,10 @@ std::vector<Vec3> openPieces(const TriangleMesh& input) {
 RepairedMesh repairSurface(const TriangleMesh& input, const RemeshOptions& options) {
   requireValid(input);
   requireMemory(input, options);
-  RepairedMesh result = repaired(input, options);
+  const TriangleMesh ordered = inCanonicalOrder(input);
+  RepairedMesh result = repaired(ordered, options);
   if (result.isRemade) result.report.selfIntersections[0] = selfIntersections(input).size();
+  result.mesh = isSameMesh(result.mesh, ordered) ? input : inGivenOrder(result.mesh, input);
   return result;
 }
 

@@ -191,3 +191,26 @@ TEST_CASE("part repair: a shape that is preferred is one of the repaired surface
   CHECK(shell.report.prefer == std::vector{Prefer::Even});
   CHECK(isSound(shell.mesh));
 }
+
+TEST_CASE("part repair: coordinates that nothing changed are exactly those of the file") {
+  // Numbers that differ in their last digit, which a frame may round to one.
+  TriangleMesh ring = shapes::torus(24, 12);
+  ring = soups::joined({ring, soups::moved(ring, {8.6, 0, 0})});
+  for (std::size_t v = 0; v < ring.positions.size(); v += 2)
+    for (double& x : ring.positions[v]) x = std::nextafter(x, 100);
+  TriangleMesh torn = ring;
+  torn.indices.resize(torn.indices.size() - 6);
+  RemeshOptions options;
+  options.repair = Repair::Auto;
+  const auto repairedPart = [&](const TriangleMesh& mesh) {
+    return repairParts({{"", mesh, {Transform::Identity()}}}, options, {}).parts.front().mesh;
+  };
+  CHECK(repairedPart(ring).positions == ring.positions);
+  const TriangleMesh closed = repairedPart(torn);
+  REQUIRE(closed.indices.size() >= torn.indices.size());
+  for (std::size_t i = 0; i < torn.indices.size(); ++i) {
+    const Vec3& p = closed.positions[closed.indices[i]];
+    CHECK(std::any_of(torn.positions.begin(), torn.positions.end(),
+                      [&](const Vec3& q) { return q == p; }));
+  }
+}

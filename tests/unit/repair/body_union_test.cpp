@@ -29,14 +29,14 @@ RepairedMesh repairedByAuto(const TriangleMesh& mesh) {
   return repairSurface(mesh, options);
 }
 
-using Place = std::tuple<double, double, double>;
-Place placeOf(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
+using CornerKey = std::tuple<double, double, double>;
+CornerKey keyAt(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
-std::set<std::array<Place, 3>> trianglesAt(const TriangleMesh& mesh) {
-  std::set<std::array<Place, 3>> all;
+std::set<std::array<CornerKey, 3>> trianglesAt(const TriangleMesh& mesh) {
+  std::set<std::array<CornerKey, 3>> all;
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-    std::array<Place, 3> t;
-    for (std::size_t k = 0; k < 3; ++k) t[k] = placeOf(mesh.positions[mesh.indices[i + k]]);
+    std::array<CornerKey, 3> t;
+    for (std::size_t k = 0; k < 3; ++k) t[k] = keyAt(mesh.positions[mesh.indices[i + k]]);
     std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
     all.insert(t);
   }
@@ -53,7 +53,7 @@ bool isSaid(const RepairedMesh& result, const char* code) {
                      [&](const PlacedWarning& one) { return one.warning.code == code; });
 }
 
-TriangleMesh scaledBy(TriangleMesh mesh, double by) {
+TriangleMesh enlarged(TriangleMesh mesh, double by) {
   for (Vec3& p : mesh.positions) p *= by;
   return mesh;
 }
@@ -62,7 +62,7 @@ TriangleMesh scaledBy(TriangleMesh mesh, double by) {
 
 TEST_CASE("body_union: a lattice remakes only what has no exact outside") {
   const TriangleMesh ball = shapes::icosphere(3);
-  const TriangleMesh soup = soups::moved(scaledBy(soups::randomSoup(40, 0.5, 3), 4), {9, 0, 0});
+  const TriangleMesh soup = soups::moved(enlarged(soups::randomSoup(40, 0.5, 3), 4), {9, 0, 0});
   const RepairedMesh result = repairedByAuto(soups::joined({soup, ball}));
   CHECK(result.isRemade);
   CHECK(result.report.reason == "partly");
@@ -74,7 +74,7 @@ TEST_CASE("body_union: a lattice remakes only what has no exact outside") {
 
 TEST_CASE("body_union: what a lattice makes is united with bodies that it meets") {
   const TriangleMesh ball = shapes::icosphere(3);
-  const TriangleMesh soup = soups::moved(scaledBy(soups::randomSoup(40, 0.5, 3), 4), {0.5, 0, 0});
+  const TriangleMesh soup = soups::moved(enlarged(soups::randomSoup(40, 0.5, 3), 4), {0.5, 0, 0});
   const RepairedMesh result = repairedByAuto(soups::joined({soup, ball}));
   CHECK(result.isRemade);
   CHECK(inspectMesh(result.mesh).boundaryEdges == 0);
@@ -119,7 +119,7 @@ TEST_CASE("body_union: bodies whose union is not sound do not spoil the others")
   const TriangleMesh ball = shapes::icosphere(3), other = soups::moved(ball, {0.7, 0.1, 0.2});
   TriangleMesh tiny = shapes::icosphere(9);  // a step of single precision is a fifth of an edge
   tiny = soups::joined({tiny, soups::moved(tiny, {0.7, 0.1, 0.2})});
-  tiny = soups::moved(scaledBy(tiny, 0.01), {3000, 0, 0});
+  tiny = soups::moved(enlarged(tiny, 0.01), {3000, 0, 0});
   TriangleMesh bodies = soups::joined({ball, other, tiny});
   bodies.isSingle = true;
   for (Vec3& p : bodies.positions) p = p.cast<float>().cast<double>();

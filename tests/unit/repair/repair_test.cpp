@@ -4,10 +4,15 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
+#include <numeric>
 #include <string>
+#include <vector>
 
 #include "base/error.h"
 #include "measure/mesh_report.h"
+#include "mesh/canonical_order.h"
 #include "support/hostile_shapes.h"
 #include "support/shapes.h"
 #include "support/soups.h"
@@ -252,4 +257,59 @@ TEST_CASE("repair: rims stay open where that is asked for; closed they are named
     REQUIRE(open.report.rimsAt.size() == 1);
     CHECK(open.report.rimsAt[0].at.z() == doctest::Approx(12));
   }
+}
+
+namespace {
+
+std::vector<Index> stepsOf(std::size_t count, std::size_t step) {
+  std::vector<Index> order;
+  for (std::size_t i = 0; i < count; ++i) order.push_back(Index(i * step % count));
+  return order;
+}
+
+// The same surface with its lists in another order. `step` shares no factor with their lengths.
+TriangleMesh shuffled(const TriangleMesh& mesh, std::size_t step) {
+  CanonicalOrder order;
+  order.vertices = stepsOf(mesh.positions.size(), step);
+  order.numbers.resize(order.vertices.size());
+  for (Index v = 0; v < order.vertices.size(); ++v) order.numbers[order.vertices[v]] = v;
+  order.triangles = stepsOf(mesh.triangleCount(), step);
+  for (std::size_t t = 0; t < mesh.triangleCount(); ++t) order.turns.push_back(std::uint8_t(t % 3));
+  return inOrder(mesh, order);
+}
+
+std::vector<std::array<double, 9>> sortedCorners(const TriangleMesh& mesh) {
+  const TriangleMesh own = inOrder(mesh, canonicalOrder(mesh));
+  std::vector<std::array<double, 9>> all;
+  for (std::size_t i = 0; i < own.indices.size(); i += 3) {
+    all.emplace_back();
+    for (std::size_t k = 0; k < 9; ++k)
+      all.back()[k] = own.positions[own.indices[i + k / 3]][Eigen::Index(k % 3)];
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("repair: the order of a file's lists changes no triangle, and those kept stay in it") {
+  TriangleMesh noisy;  // triangles whose corners are not quite at one place
+  const TriangleMesh ball = shapes::icosphere(3);
+  for (std::size_t i = 0; i < ball.indices.size(); ++i) {
+    noisy.indices.push_back(Index(i));
+    noisy.positions.emplace_back(ball.positions[ball.indices[i]] +
+                                 1e-6 * Vec3::Constant(double(i % 5)));
+  }
+  TriangleMesh open = shapes::icosphere(4);
+  open.indices.resize(open.indices.size() - 9);
+  const TriangleMesh box = shapes::cube(2);
+  for (const TriangleMesh& mesh :
+       {noisy, open, soups::joined({box, soups::moved(box, {0.5, 0.5, 0.5})})}) {
+    const TriangleMesh one = mended(mesh).mesh;
+    for (const std::size_t step : {7, 11, 1009})
+      CHECK(sortedCorners(mended(shuffled(mesh, step)).mesh) == sortedCorners(one));
+  }
+  const TriangleMesh closed = mended(open).mesh;
+  for (std::size_t i = 0; i < open.indices.size(); ++i)
+    CHECK(closed.positions[closed.indices[i]] == open.positions[open.indices[i]]);
 }

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "repair/findings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "mesh/joining.h"
+
+namespace remesher {
+
+namespace {
+
+Vec3 centreOf(const TriangleMesh& mesh, Index triangle) {
+  const Index* v = &mesh.indices[3 * std::size_t{triangle}];
+  return (mesh.positions[v[0]] + mesh.positions[v[1]] + mesh.positions[v[2]]) / 3;
+}
+
+void sortByWidth(std::vector<SizedPlace>& places) {
+  std::stable_sort(places.begin(), places.end(),
+                   [](const SizedPlace& a, const SizedPlace& b) { return a.across > b.across; });
+}
+
+// The widest first, as many as a report lists.
+std::vector<SizedPlace> listed(std::vector<SizedPlace> places) {
+  sortByWidth(places);
+  if (places.size() > kMostSizedPlaces) places.resize(kMostSizedPlaces);
+  return places;
+}
+
+void warnOfLoops(RepairedMesh& result, Warning warning, std::vector<SizedPlace> loops) {
+  if (loops.empty()) return;
+  sortByWidth(loops);
+  warning.count = loops.size();
+  result.warnings.push_back({std::move(warning), loops.front().at, loops.front().across});
+}
+
+void warnOfSheets(RepairedMesh& result, Sheets sheets, std::size_t count) {
+  if (sheets == Sheets::Drop)
+    addWarning(result, {"SHEETS_DROPPED", "Sheets, which enclose nothing, were left out.", count});
+  else
+    addWarning(
+        result,
+        {"SHEETS_THICKENED",
+         "Sheets, which enclose nothing, became thin solids behind their visible side.", count});
+}
+
+}  // namespace
+
+std::vector<Vec3> centreOfFirst(const TriangleMesh& mesh, const std::vector<Index>& triangles) {
+  if (triangles.empty()) return {};
+  return {centreOf(mesh, triangles.front())};
+}
+
+void addWarning(RepairedMesh& result, Warning warning, const std::vector<Vec3>& places) {
+  if (warning.count == 0) return;
+  result.warnings.push_back({std::move(warning), std::nullopt});
+  if (!places.empty()) result.warnings.back().at = places.front();
+}
+
+void warnOfCrossings(RepairedMesh& result, const std::vector<Index>& crossings) {
+  result.report.selfIntersections[1] = crossings.size();
+  addWarning(result, {"CROSSINGS_LEFT", "Triangles intersect others.", crossings.size()},
+             centreOfFirst(result.mesh, crossings));
+}
+
+void warnOfHidden(RepairedMesh& result, const std::vector<Vec3>& hiddenAt) {
+  addWarning(result,
+             {"HIDDEN_BODIES_REMOVED",
+              "Bodies were removed that lie inside others and are not seen.", hiddenAt.size()},
+             hiddenAt);
+}
+
+// The report and the warnings of the exact steps.
+RepairedMesh asRepaired(ExactRepair exact, const char* mode) {
+  RepairedMesh result;
+  result.mesh = std::move(exact.mesh);
+  result.report.mode = mode;
+  result.report.holes = exact.holes;
+  result.report.islands = exact.islands;
+  result.report.shells = exact.hiddenAt.size() + exact.filledAt.size();
+  result.report.turned = exact.turned;
+  result.report.lost = exact.lost;
+  result.report.selfIntersections[0] = exact.crossingsBefore;
+  result.report.rims = exact.rimsAt.size();
+  result.report.bodies = exact.madeAt.size();
+  result.report.closedAt = listed(exact.closedAt);
+  result.report.rimsAt = listed(exact.rimsAt);
+  warnOfLoops(result,
+              {"RIMS_CLOSED", "Loops that look meant were closed; --keep-rims leaves them open."},
+              exact.meantAt);
+  warnOfLoops(result, {"RIMS_LEFT_OPEN", "Loops that look meant were left open."}, exact.rimsAt);
+  addWarning(result,
+             {"HOLES_LEFT_OPEN", "Holes that are longer around than asked for were left open.",
+              exact.openAt.size()},
+             exact.openAt);
+  addWarning(
+      result,
+      {"SCRAPS_REMOVED",
+       "Triangles were removed: those of small open components, those that share only a vertex "
+       "with the surface beside a hole, and those given twice.",
+       exact.trianglesRemoved},
+      exact.removedAt);
+  warnOfHidden(result, exact.hiddenAt);
+  addWarning(result,
+             {"CAVITIES_FILLED", "Cavities that are not seen from outside were filled.",
+              exact.filledAt.size()},
+             exact.filledAt);
+  addWarning(result,
+             {"SHEETS_LEFT",
+              "Sheets such as cards, cloth or terrain enclose nothing and were left as they are; "
+              "wrapping makes them thin solids.",
+              exact.sheetsAt.size()},
+             exact.sheetsAt);
+  warnOfLoops(result, {"SHEETS_MADE_BODIES", "Sheets became closed bodies."}, exact.madeAt);
+  addWarning(
+      result,
+      {"BASE_NOT_MADE",
+       "Sheets whose outline folds over itself, seen along the axis that they face, got no base.",
+       exact.noBaseAt.size()},
+      exact.noBaseAt);
+  warnOfCrossings(result, exact.crossings);
+  return result;
+}
+
+RepairedMesh asRepaired(Solid solid, const TriangleMesh& input, const SolidRule& rule) {
+  const InsideBy by = rule.by;
+  RepairedMesh result;
+  const bool isLost = std::round(100 * solid.loss.share) > 0;  // the report has two decimals
+  addWarning(
+      result,
+      {"SEEN_PARTS_LOST",
+       "Parts that are seen from outside are lost: they are too thin, or lie in gaps that close.",
+       std::size_t{isLost}},
+      solid.loss.places);
+  warnOfSheets(result, rule.sheets, solid.enclosure.sheets);
+  result.report.mode = by == InsideBy::Reach ? "wrap" : "solid";
+  result.report.shells = solid.enclosure.shells;
+  result.report.turned = by == InsideBy::Reach ? 0 : solid.enclosure.turned;
+  result.report.lost = solid.loss.share;
+  result.report.lostBeyond = 100 * solid.loss.beyond / diagonalOf(input);
+  result.report.lostAt = std::move(solid.loss.places);
+  result.mesh = std::move(solid.mesh);
+  result.isRemade = true;
+  return result;
+}
+
+}  // namespace remesher
