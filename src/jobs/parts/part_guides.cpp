@@ -58,8 +58,7 @@ void lookAt(const io::Part& part, std::size_t number, const std::vector<Guide>& 
   }
 }
 
-// A number of few digits.
-std::string inPercent(double share) { return inDigits(100 * share, 2); }
+std::string inPercent(double share) { return std::to_string(std::llround(100 * share)); }
 
 }  // namespace
 

@@ -21,7 +21,7 @@ constexpr double kSnap = 0.15;
 // near.
 constexpr double kToBoundary = 10;
 // A walk over more edges than this between two points has lost its way.
-constexpr std::size_t kMostSteps = 100000;
+constexpr std::size_t kMostCrossed = 100000;
 
 }  // namespace
 
@@ -259,7 +259,7 @@ bool Imprint::walk(Index from, Index to, std::vector<Index>& path) {
   if (!(across.norm() > 0)) return false;
   const Plane plane = {across.normalized(), at(to)};
   Index v = from;
-  for (std::size_t i = 0; i < kMostSteps && v != to; ++i) {
+  for (std::size_t i = 0; i < kMostCrossed && v != to; ++i) {
     Index next = to;
     if (!areJoined(v, to)) {
       const Crossing crossing = crossingFrom(v, plane);
