@@ -69,7 +69,6 @@ struct Guide {
 };
 
 // Edges with a larger dihedral angle, in degrees, count as features unless the caller sets another.
-// With 37 in decimation the RMS of 8 cases at 7 neighboring counts is 0.98 to 1.05 times as much.
 inline constexpr double kFeatureAngle = 40;
 
 // Percent options given as lengths instead, in units of the model's world. Each sets the option of

@@ -94,8 +94,7 @@ TriangleTree::TriangleTree(std::span<const Vec3> positions, std::span<const Inde
 // to a near origin.
 Vec3 TriangleTree::middle() const {
   constexpr int kMost = 64;  // halvings of the box
-  // Sampled, about. With 100 and with all, 42 of 42 results (6 cases at 7 neighboring counts) are
-  // the same.
+  // About so many are sampled.
   constexpr std::size_t kCorners = 1000;
   const std::size_t step = std::max<std::size_t>(1, indices_.size() / kCorners);
   Box inner = box_;

@@ -14,8 +14,7 @@ namespace remesher {
 namespace {
 
 // Both in target edge lengths. A row of triangles in a narrower region costs more than it shows; a
-// shorter chain cannot be one edge of a good triangle. With .7 for regions the fandisk alone of 11
-// models changes, within its scatter; with .5 for chains none, but tests of spurs and bridges fail.
+// shorter chain cannot be one edge of a good triangle.
 constexpr double kNarrow = 0.5;
 constexpr double kShortestChain = 0.7;
 // A curve that bends the surface is worth thinner triangles, because without it the surface moves.

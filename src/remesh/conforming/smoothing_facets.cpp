@@ -13,7 +13,7 @@ namespace remesher {
 
 namespace {
 
-constexpr int kPasses = 6;  // with 40 means of smallest angles are the same to .05°
+constexpr int kPasses = 6;
 
 // 1 for an equilateral triangle, and infinite for a line: the inverse of the mean ratio, squared.
 double thinness(const Vec2& a, const Vec2& b, const Vec2& c) {

@@ -11,9 +11,7 @@
 
 namespace remesher {
 
-// A place this near, in units of an edge's length, is as good as the place itself. With .1
-// distances of 10 cases at 7 neighboring counts are 1.08 times as large, with 0 .95 times, but
-// worst angles .7° smaller, means of medians.
+// A place this near, in units of an edge's length, is as good as the place itself.
 inline constexpr double kPlainlyNear = 0.05;
 
 class Projector {

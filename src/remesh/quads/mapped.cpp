@@ -26,18 +26,13 @@ namespace remesher {
 namespace {
 
 // As many scales are corrected by the count of the map before; 2 kSteps beside the best follow, the
-// farthest off by kCountTolerance. With steps half or twice as long 31 or 32 of 35 quad meshes (5
-// models at 7 neighboring counts) are the same; means of medians change by .03°.
+// farthest off by kCountTolerance.
 constexpr int kSteps = 4;
 // The largest count error of a result: half as many vertices again as wanted, for each of these
-// counts kTooMany times. With 0.2 all of 7 counts of featuretype at 700 and 6 at 1000 were pairs,
-// with up to a third too many vertices, and fixed_top at 500 at all 7; now 1, 0 and 3.
+// counts kTooMany times.
 constexpr double kFarthest = 2;
 // A vertex too many is as bad as kTooMany too few, and kTooMany of them as bad as a fault: adding
-// rows costs nothing, removing a quad leaves irregular vertices. Beside too few: of five models at
-// 7 neighboring counts each, 2 leaves featuretype 208 irregular vertices, not 188, 8 takes
-// angle_block from 1.3 to 2.6 % in the worst. Beside faults: 2 and 20 give the same; with faults
-// alone the bunny at 5017 has 267 irregular vertices, not 56.
+// rows costs nothing, removing a quad leaves irregular vertices.
 constexpr double kTooMany = 4;
 
 // A connected part, and what its map is made on.

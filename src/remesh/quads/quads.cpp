@@ -22,12 +22,9 @@ namespace remesher {
 
 namespace {
 
-// The map's triangles have so many vertices per vertex of the quads. At 10,000 quads, at 7
-// neighboring counts, the horse's median distance is 0.36 % (hand: 0.32), with 0.5 0.40 (0.37);
-// with 1 0.43 (0.35), in half as much time again, its worst 0.47, not 1.04 (0.43, not 0.55).
+// The map's triangles have so many vertices per vertex of the quads.
 constexpr double kOfQuads = 0.7;
-// But no fewer than this: fields and maps need so many to be smooth. With 2500 the bunny at 2000
-// has a mean deviation of 7.9° and a distance of 1.38 %, not 6.1 and 0.91, medians of 7 counts.
+// But no fewer than this: fields and maps need so many to be smooth.
 constexpr std::size_t kLeastForMap = 5000;
 // And no more than so many per vertex of the quads, so that work stays in proportion: of few quads
 // each has a hundred triangles then.

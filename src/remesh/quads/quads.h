@@ -24,9 +24,7 @@ struct MadeQuads {
 // Makes even, compact triangle meshes of about so many vertices, all on the same surface.
 using TriangleMaker = std::function<WorkingMesh(std::size_t vertices)>;
 
-// A number that is not to be exact is met within this share. With .005 and .02 5 models at 2000, 7
-// neighboring counts, have 2 and 3 irregular vertices fewer, and distances are .99 and 1.18 times
-// as large, means of medians.
+// A number that is not to be exact is met within this share.
 constexpr double kCountTolerance = 0.01;
 // By up to this share it is missed rather than met with more irregular vertices: whole rows of
 // quads make none, but only some numbers.

@@ -17,8 +17,7 @@ namespace remesher {
 
 namespace {
 
-// A hole with more sides is no slip of the map. Without this limit 35 of 35 quad meshes (5 models
-// at 7 neighboring counts) are the same.
+// A hole with more sides is no slip of the map.
 constexpr std::size_t kLongestLoop = 64;
 
 // Quads that are unsound by themselves or beside others.

@@ -15,9 +15,7 @@
 
 namespace remesher {
 
-// The weight that ties unknowns down where nothing else does, beside weights of about 1. With 1e-6
-// and 1e-8 numbers of irregular vertices and angles of 5 models, medians of 7 neighboring counts,
-// change by chance.
+// The weight that ties unknowns down where nothing else does, beside weights of about 1.
 inline constexpr double kTie = 1e-7;
 
 struct CrossField {

@@ -193,8 +193,7 @@ Minimum Rounding::minimumOf(const Wholes& wholes, const std::vector<int>& some) 
 
 // Pulls sums to what is wanted of them, by the variables of the minimum.
 void Rounding::pull(Minimum& minimum, const Wholes& wholes) const {
-  // One over the weight, beside weights of about 1. With kTie in its place angles of 5 models at
-  // 2000, medians of 7 neighboring counts, deviate by .10° more.
+  // One over the weight, beside weights of about 1.
   constexpr double kYield = 1e-3;
   std::vector<int> places(std::size_t(wholes_), -1);
   for (Eigen::Index i = 0; i < minimum.count(); ++i)
@@ -239,12 +238,8 @@ void Rounding::round(Wholes& wholes, const std::vector<int>& some) const {
 
 // Wants more of the sums that are too small, and tells the variables near them.
 std::vector<int> Rounding::pullShort(Wholes& wholes) const {
-  // Some sums cannot all be 1. With 1 in place of 4, 5 to 23 sums of featuretype at 2000 stay too
-  // short, with 2 up to one, with 4 none; at 7 counts with 1 its distance is 1.9 % in the median.
+  // Some sums cannot all be 1: a sum is asked to be so much at most.
   constexpr int kFarthestPull = 4;
-  // With 20 featuretype at 2000 has a mean deviation of 10.1°, with 80 11.0°, with 40 9.7°, with
-  // all variables each time 11.2° in six times the time, medians of 7 counts; fixed_top at
-  // 2000 14.4, 14.1, 14.2°; featuretype at 5000 6.1, 6.1, 6.0, 6.5°.
   constexpr std::size_t kNear = 40;
   std::vector<int> near;
   for (std::size_t k = 0; k < required_.size(); ++k) {

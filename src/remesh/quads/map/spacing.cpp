@@ -52,8 +52,7 @@ void addCurves(std::set<IntegerSum>& lengths, const MapInput& input, const Seaml
 }
 
 // Adds the length of each edge along every direction of the cross that takes at least `kAlong` of
-// it. With 1 (edges along the cross) 5 models at 2000 have 32 more irregular vertices, with the
-// root of a half (one direction) angles deviate by .1° more, medians of 7 neighboring counts.
+// it.
 void addEdges(std::set<IntegerSum>& lengths, const MapInput& input, const SeamlessSystem& system) {
   constexpr double kAlong = 0.5;  // of the edge's length
   for (Index i = 0; i < input.mesh.mesh().halfedgeCapacity(); ++i) {

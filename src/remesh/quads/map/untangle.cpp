@@ -14,12 +14,9 @@ namespace {
 // of 7 meshes of a dragon, a torn scan, in about 10,000 quads are the same; the least scaled
 // Jacobians of the others are -.11, -.02 and -.05, not -.11, -.45 and -.03.
 constexpr double kLeastArea = 0.02;
-// Rings around folds that move. With 2 angles of 5 models at 2000, medians of 7 neighboring counts,
-// deviate by .13° more and distances are 1.04 times as large, with 6 they are the same, in 1.16 of
-// the time.
+// Rings around folds that move.
 constexpr int kRings = 3;
-// Sweeps without fewer folds, before the end. With 1 angles of the same models deviate by .17°
-// more, with 4 and 16 by .00° and .01° less.
+// Sweeps without fewer folds, before the end.
 constexpr int kIdle = 8;
 // The step with the least error of a second difference: the fourth root of a double's precision
 // [Press et al. 2007, 5.7].

@@ -13,8 +13,7 @@ namespace remesher {
 
 namespace {
 
-// An alternating path longer than this turns a whole region for two triangles. With 1000 35 of 35
-// quad meshes (5 models at 7 neighboring counts) are the same.
+// An alternating path longer than this turns a whole region for two triangles.
 constexpr std::size_t kLongestPath = 16;
 
 // How well the triangles at an edge make a square along the field: the sine of its worst corner,

@@ -9,8 +9,7 @@
 
 namespace remesher {
 
-// The sine of 30°: corners with a larger one are sound. With that of 20° the least scaled Jacobian
-// of 5 models at 2000, medians of 7 neighboring counts, is smaller by .12.
+// The sine of 30°: corners with a larger one are sound.
 constexpr double kEnough = 0.5;
 
 // Runs so many passes over all vertices that are not marked. No corner becomes worse than 30°.
