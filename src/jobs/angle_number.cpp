@@ -2,6 +2,7 @@
 #include "jobs/angle_number.h"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -21,14 +22,21 @@ namespace {
 constexpr double kMostTimes = 4, kMostOfSmall = 10'000;
 // The share of the triangles that may have smaller angles.
 constexpr double kFewSmall = 0.001;
+// Beyond few vertices twice as many must leave at most one in so many of the smaller angles.
+constexpr double kFewVertices = 2000;
+constexpr double kGains = 1.5;
 
-bool keepsAngle(const RemeshOutcome& made) {
-  return double(made.unmet.smallAngles.all) <= kFewSmall * double(made.mesh.triangleCount());
+// The share of the triangles that have smaller angles.
+double missedIn(const RemeshOutcome& made) {
+  return double(made.unmet.smallAngles.all) / double(made.mesh.triangleCount());
 }
 
-bool isUnseen(const TriangleMesh& input, const RemeshOutcome& made) {
+bool keepsAngle(const RemeshOutcome& made) { return missedIn(made) <= kFewSmall; }
+
+// The largest distance, both ways, over one that is just not seen.
+double seenAway(const TriangleMesh& input, const RemeshOutcome& made) {
   const DeviationBothWays found = measureDeviation(input, made.mesh, Maximum::Sampled);
-  return std::max(found.toResult.maximum, found.toOriginal.maximum) <= kSeen * found.diagonal;
+  return std::max(found.toResult.maximum, found.toOriginal.maximum) / (kSeen * found.diagonal);
 }
 
 Warning moreForAngle(std::size_t vertices, std::size_t own) {
@@ -58,16 +66,27 @@ RemeshOutcome remeshToAngle(const TriangleMesh& input, Welding welding,
   const double most = std::max(kMostTimes * double(own), kMostOfSmall);
   RemeshOptions numbered = options;
   numbered.tooFew = TooFew::Raise;
+  std::optional<RemeshOutcome> best;
+  double nearest = kInfinity, missed = kInfinity;
   for (double next = double(made.vertices); next <= most; next *= 2) {
     numbered.vertices = Index(next);
     RemeshOutcome more = remeshSurface(input, welding, numbered, progress.part(1, 1));
-    if (!keepsAngle(more) || (hasShape && !isUnseen(input, more))) continue;
-    if (more.vertices > own) more.warnings.push_back(moreForAngle(more.vertices, own));
-    return more;
+    const double before = std::exchange(missed, missedIn(more));
+    const double away = hasShape ? seenAway(input, more) : 0;
+    const bool keeps = keepsAngle(more);
+    const bool isBetter =
+        keeps ? !best || !keepsAngle(*best) || away < nearest : !best || missed < missedIn(*best);
+    if (isBetter) {
+      best = std::move(more);
+      nearest = away;
+    }
+    const bool isInVain = next > kFewVertices && kGains * missed > before;
+    if (keeps ? away <= 1 : isInVain) break;
   }
-  fires("angle number: no number keeps the angle");
-  if (hasShape || !isOpen) return made;
-  return remeshSurface(input, std::move(welding), options, progress.part(1, 1));
+  if (!best) return made;
+  if (!keepsAngle(*best)) fires("angle number: no number keeps the angle");
+  if (best->vertices > own) best->warnings.push_back(moreForAngle(best->vertices, own));
+  return std::move(*best);
 }
 
 }  // namespace remesher

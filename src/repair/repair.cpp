@@ -239,13 +239,12 @@ std::optional<RepairedMesh> withRest(RepairedMesh result, const TriangleMesh& re
   result.mesh = std::move(joined->mesh);
   result.report.shells += joined->hiddenAt.size();
   warnOfHidden(result, joined->hiddenAt);
-  const std::size_t remadeTriangles = rest.triangleCount();
   addWarning(
       result,
       {"REMADE_IN_PART",
        "Triangles of bodies without an exact outside were replaced by a lattice's surface. All "
        "others are as they were, or mended exactly.",
-       remadeTriangles},
+       rest.triangleCount()},
       centreOfFirst(rest, {0}));
   warnOfCrossings(result, joined->crossings);
   return result;
@@ -257,6 +256,9 @@ RepairedMesh automatic(const TriangleMesh& input, const RemeshOptions& options) 
   if (!exact) return withBroken(options, remade(input, options));
   if (!options.cavities) fillCavities(*exact, Filled::Made);
   const TriangleMesh rest = std::move(exact->undecided);
+  // Which sheets are left out is decided by the lattice around everything.
+  if (!rest.indices.empty() && options.sheets == Sheets::Drop)
+    return withBroken(options, remade(input, options));
   const char* const reason = reasonOf(*exact);
   const char* const mode = modeOf(*exact);
   RepairedMesh result = because(reason, asRepaired(std::move(*exact), mode));

@@ -240,7 +240,7 @@ export const brokenFiles = {
   'T-junctions': { of: () => tJunctions(), most: 500 },
   'double shell, leaks': { of: () => doubleShell(30) },
   'double shell, closed': { of: () => doubleShell(0), keeps: 1 },
-  'torn ball': { of: () => without(bumpy(96, 48), (t) => t % 61 === 0), keeps: 1 },
+  'torn ball': { of: () => without(bumpy(96, 48), (t) => t % 61 === 0), keeps: 0.99 },
   'ball with a large hole': { of: () => without(bumpy(64, 32), (t) => t % 62 < 18 && t < 1200) },
   'scan open below': { of: () => without(bumpy(64, 32), (t) => t % 62 > 48) },
   'boxes with a common face': { of: () => joined(box([0, 0, 0], [1, 1, 1], 3),

@@ -11,6 +11,10 @@ namespace remesher {
 
 namespace {
 
+// What is nearer to a plane than this share of what counts as near lies on it: a guide along a
+// plane is not cut into pieces by rounding.
+constexpr double kOnPlane = 0.05;
+
 // The pieces of a guide on either side of a plane.
 class GuidePieces {
  public:
@@ -115,17 +119,18 @@ bool isAlong(const Guide& guide, const Guide& other, double near) {
 
 GuidesOfHalf guidesInFront(const std::vector<Guide>& guides, const Mirrors& mirrors, double near) {
   GuidesOfHalf half;
+  const double slack = std::max(mirrors.slack, kOnPlane * near);
   for (const Guide& guide : guides) {
     std::vector<Guide> pieces = {guide};
     bool isMoved = false;
     for (const MirrorPlane& plane : mirrors.planes) {
       std::vector<Guide> next;
       for (Guide& piece : pieces) {
-        const Sides sides = sidesOf(piece, plane, mirrors.slack);
+        const Sides sides = sidesOf(piece, plane, slack);
         isMoved = isMoved || sides.isBehind;
         std::vector<Guide> own;
         if (sides.isInFront && sides.isBehind) {
-          own = GuidePieces(piece, plane, mirrors.slack).inFront();
+          own = GuidePieces(piece, plane, slack).inFront();
         } else {
           if (sides.isBehind)
             for (Vec3& p : piece.points) p = plane.mirrored(p);

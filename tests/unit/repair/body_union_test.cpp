@@ -95,6 +95,11 @@ TEST_CASE("body_union: bodies and sheets both stay where each is what it is") {
   CHECK(result.report.reason == "sheets");
   CHECK(result.report.selfIntersections[1] == selfIntersections(both).size());
   CHECK(isSaid(result, "SHEETS_LEFT"));
+  RemeshOptions options;
+  options.repair = Repair::Auto;
+  options.edgeLength = 1;
+  options.sheets = Sheets::Drop;
+  CHECK(inspectMesh(repairSurface(both, options).mesh).boundaryEdges == 0);
 }
 
 TEST_CASE("body_union: many small cards are no debris, and what is given twice is not lost") {

@@ -44,3 +44,12 @@ TEST_CASE(
     CHECK(made.points[1].x() == doctest::Approx(1 + std::abs(x)));
   }
 }
+
+TEST_CASE("mirrored guides: one along a plane stays whole, however it was rounded") {
+  Guide along{
+      {{1e-4, 0, 0}, {-1e-4, 1, 0}, {1e-4, 1, 1}, {-1e-4, 0, 1}}, GuideKind::Loop, true, "along"};
+  const GuidesOfHalf half = guidesInFront({along}, kLeftRight, 0.1);
+  REQUIRE(half.guides.size() == 1);
+  CHECK(half.guides[0].isClosed);
+  CHECK(half.guides[0].points.size() == 4);
+}
