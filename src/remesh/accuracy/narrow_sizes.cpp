@@ -13,7 +13,7 @@ namespace remesher {
 namespace {
 
 // In target lengths: nearer places do not decide the largest distance.
-constexpr double kFar = 0.1;
+constexpr double kDecisive = 0.1;
 // As many vertices there are for each triangle that is far away.
 constexpr std::size_t kVerticesPerFace = 200;
 
@@ -30,7 +30,7 @@ double nextDistance(const std::vector<Place>& places, std::size_t vertices) {
 }  // namespace
 
 std::size_t narrowSizes(Run& run) {
-  std::vector<Place> places = measurePlaces(run, kFar, kFar);
+  std::vector<Place> places = measurePlaces(run, kDecisive, kDecisive);
   std::stable_sort(places.begin(), places.end(),
                    [](const Place& a, const Place& b) { return a.distance > b.distance; });
   const double next = nextDistance(places, run.mesh.mesh().vertexCount());

@@ -28,13 +28,13 @@ std::vector<Index> above(const TriangleMesh& mesh, double height) {
   return found;
 }
 
-using Corners = std::array<std::array<double, 3>, 3>;
+using Coordinates = std::array<std::array<double, 3>, 3>;
 
-std::multiset<Corners> trianglesOf(const TriangleMesh& mesh, const std::vector<Index>& without) {
-  std::multiset<Corners> all;
+std::multiset<Coordinates> trianglesOf(const TriangleMesh& mesh, const std::vector<Index>& without) {
+  std::multiset<Coordinates> all;
   for (Index t = 0; t < mesh.triangleCount(); ++t) {
     if (std::find(without.begin(), without.end(), t) != without.end()) continue;
-    Corners corners;
+    Coordinates corners;
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3& p = mesh.positions[mesh.indices[3 * t + k]];
       corners[k] = {p.x(), p.y(), p.z()};
