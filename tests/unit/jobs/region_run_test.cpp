@@ -30,7 +30,8 @@ std::vector<Index> above(const TriangleMesh& mesh, double height) {
 
 using Coordinates = std::array<std::array<double, 3>, 3>;
 
-std::multiset<Coordinates> trianglesOf(const TriangleMesh& mesh, const std::vector<Index>& without) {
+std::multiset<Coordinates> trianglesBut(const TriangleMesh& mesh,
+                                        const std::vector<Index>& without) {
   std::multiset<Coordinates> all;
   for (Index t = 0; t < mesh.triangleCount(); ++t) {
     if (std::find(without.begin(), without.end(), t) != without.end()) continue;
@@ -70,8 +71,8 @@ TEST_CASE("region: all other triangles stay bit for bit, and the surface stays c
     CHECK(result.report.output->boundaryEdges == 0);
     CHECK(result.report.output->nonManifoldEdges == 0);
     CHECK(result.report.output->eulerCharacteristic == 2);
-    const auto kept = trianglesOf(mesh, options.region);
-    const auto made = trianglesOf(result.mesh, {});
+    const auto kept = trianglesBut(mesh, options.region);
+    const auto made = trianglesBut(result.mesh, {});
     CHECK(std::includes(made.begin(), made.end(), kept.begin(), kept.end()));
   }
 }
