@@ -190,7 +190,10 @@ test('quads of a model that a plane mirrors are their own mirror image, bit for 
     assert.deepEqual(quadsByPlace(mesh, -1), quadsByPlace(mesh, 1));
     assert.ok([...sidesOf(mesh.quads).values()].every((count) => count === 2));
     assert.equal(eulerCharacteristic(mesh), 2);
-    assert.ok(Math.abs(report.output.vertices - 1000) <= (exact ? 0 : 10));
+    const off = Math.abs(report.output.vertices - 1000);
+    assert.ok(off <= (exact ? 0 : 40), `${off}`);
+    // More than one percent away is missed for the sake of the structure, which is said.
+    assert.equal(report.warnings.some(({ code }) => code === 'QUADS_NUMBER_MISSED'), off > 10);
   }
 });
 

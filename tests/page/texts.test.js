@@ -31,7 +31,7 @@ const coreText = filesUnder('src', /\.(h|cpp)$/).filter((path) => path !== diagn
 const found = (pattern) => [...new Set([...coreText.matchAll(pattern)].map(([, name]) => name))];
 
 /** Of what the core says in English: codes of warnings have two words, attributes end in digits. */
-const told = found(/"([A-Z]+(?:_[A-Z]+)+)",\s*(?:\n\s*)?["a-zA-Z]/g)
+const told = found(/"([A-Z]+(?:_[A-Z]+)+)",\s*(?:\n\s*)?["*a-zA-Z]/g)
   .filter((code) => !errorCodes.includes(code));
 const warnings = [...readText(diagnostics).matchAll(/"([A-Z_]+)", Severity::/g)]
   .map(([, code]) => code);
