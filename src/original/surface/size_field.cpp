@@ -256,6 +256,7 @@ SizeField::SizeField(const OriginalSurface& surface, const SizeRules& rules)
       meanEdge_(mean_),
       vertices_(rules.vertices),
       wished_(!rules.density.empty()),
+      bounded_(rules.error > 0),
       spiked_(rules.spikes != nullptr) {
   const VertexData<double> kept = keptLengths(surface);
   even_ = rules.adaptivity == 0 && rules.density.empty() && rules.error == 0 && kept.size() == 0 &&
@@ -302,7 +303,7 @@ SizeField::SizeField(const OriginalSurface& surface, const SizeRules& rules)
 
 double SizeField::narrow(const OriginalSurface& surface,
                          std::span<const std::pair<Vertex, double>> sizes) {
-  if (refined_ || even_ || wished_) return 0;
+  if (refined_ || even_ || wished_ || bounded_) return 0;
   const VertexData<double> areas = vertexAreas(surface);
   const double before = verticesOf(areas, sizes_);
   for (const auto& [v, size] : sizes) sizes_[v] = std::min(sizes_[v], size);

@@ -43,7 +43,7 @@ class SizeField {
 
   // Lowers sizes of the surface's vertices to these at most, and those around them as gradation
   // asks. Returns how many vertices more a mesh of these sizes has. Sizes that are the caller's
-  // wish, and those of places in flat faces, stay.
+  // wish or keep an error, and those of places in flat faces, stay.
   double narrow(const OriginalSurface& surface, std::span<const std::pair<Vertex, double>> sizes);
 
   // Whether the size is the same everywhere.
@@ -68,6 +68,7 @@ class SizeField {
   double vertices_ = 0;
   double slope_ = 0;  // of gradation
   bool wished_ = false;
+  bool bounded_ = false;  // sizes keep an error
   bool spiked_ = false;
   bool even_ = false;
 };

@@ -16,6 +16,8 @@ namespace {
 constexpr double kDecisive = 0.1;
 // As many vertices there are for each triangle that is far away.
 constexpr std::size_t kVerticesPerFace = 200;
+// The largest share of the vertices that may be spent there.
+constexpr double kMostSpent = 0.05;
 
 // The distance that all but the farthest triangles keep; places come by falling distance.
 double nextDistance(const std::vector<Place>& places, std::size_t vertices) {
@@ -40,7 +42,8 @@ std::size_t narrowSizes(Run& run) {
     for (const Vertex v : run.mesh.surface().mesh().vertices(place.original.face))
       sizes.emplace_back(v, run.sizes.at(v) * std::sqrt(next / place.distance));
   }
-  return std::size_t(run.sizes.narrow(run.mesh.surface(), sizes));
+  const double more = run.sizes.narrow(run.mesh.surface(), sizes);
+  return std::size_t(std::min(more, kMostSpent * double(run.mesh.mesh().vertexCount())));
 }
 
 }  // namespace remesher
