@@ -10,6 +10,8 @@ import { tmpdir } from 'node:os';
 import { basename, join } from 'node:path';
 import { after, test } from 'node:test';
 
+import { Client } from '@modelcontextprotocol/sdk/client/index.js';
+import { StdioClientTransport } from '@modelcontextprotocol/sdk/client/stdio.js';
 import { inspect, remeshFile } from 'remesher';
 
 import { startChromium } from '../support/chromium.js';
@@ -210,6 +212,35 @@ const recipes = {
     for (const name of ['model.stl', 'mended.stl', 'print.stl']) {
       const { input } = await inspect(readFileSync(join(place, name)), { name });
       assert.deepEqual([input.boundaryEdges, input.vertices], [0, 700], name);
+    }
+  },
+  async agents() {
+    const { place } = await follow('agents');
+    const client = new Client({ name: 'agent', version: '1.0.0' });
+    await client.connect(new StdioClientTransport(
+      { command: process.execPath, args: ['server.js', '.'], cwd: place, stderr: 'ignore' }));
+    try {
+      const call = async (/** @type {string} */ name, /** @type {object} */ given) => {
+        const answer = await client.callTool({ name, arguments: { ...given } });
+        const [{ text }] = /** @type {{ text: string }[]} */ (answer.content);
+        return answer.isError ? { fault: text } : JSON.parse(text);
+      };
+      const { tools } = await client.listTools();
+      assert.deepEqual(tools.map(({ name }) => name), ['inspect', 'repair', 'remesh', 'bake']);
+      assert.equal((await call('inspect', { input: 'model.obj' })).input.vertices, 700);
+      const asked = { input: 'model.obj', output: 'light.glb', options: { faces: 600 } };
+      const { output } = await call('remesh', asked);
+      assert.ok(output.triangles <= 600);
+      assert.equal(await verticesIn(join(place, 'light.glb')), output.vertices);
+      await call('repair', { input: 'model.obj', output: 'mended.stl' });
+      assert.equal(await verticesIn(join(place, 'mended.stl')), 700);
+      const baked = { high: 'model.glb', low: 'light.glb', output: 'baked.glb' };
+      assert.equal((await call('bake', baked)).fault, undefined);
+      assert.equal(await verticesIn(join(place, 'baked.glb')), output.vertices);
+      assert.match((await call('inspect', { input: '../other.obj' })).fault, /outside the folder/);
+      assert.match((await call('remesh', { ...asked, options: { colour: 1 } })).fault, /colour/);
+    } finally {
+      await client.close();
     }
   },
   async seams() {

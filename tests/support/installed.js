@@ -14,7 +14,7 @@ export function linkInstalled(folder) {
   const packages = join(folder, 'node_modules');
   mkdirSync(join(packages, '.bin'), { recursive: true });
   symlinkSync(root, join(packages, 'remesher'));
-  for (const name of ['three', '@gltf-transform', 'vite']) {
+  for (const name of ['three', '@gltf-transform', '@modelcontextprotocol', 'vite', 'zod']) {
     symlinkSync(join(root, 'node_modules', name), join(packages, name));
   }
   symlinkSync(join(root, 'dist/cli/cli.js'), join(packages, '.bin/remesher'));
