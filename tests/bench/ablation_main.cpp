@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Remeshes a model by `best`, whole and with each step of the scheme left out in turn, to a number
 // of vertices and to its neighbours: one number alone is chance.
-//   ablation MODEL VERTICES [STEP…]    prints JSON: by step, the figures of each number
+//   ablation MODEL VERTICES [STEP…]    prints JSON: by step, the figures of each number. An empty
+//                                      STEP: only those of the whole scheme
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -83,7 +84,8 @@ int main(int count, char** words) {
     Json result = {{"", runsWithout("", mesh, vertices)}};
     std::vector<std::string> steps(words + 3, words + count);
     if (steps.empty()) steps.assign(ablation().asked.begin(), ablation().asked.end());
-    for (const std::string& step : steps) result[step] = runsWithout(step, mesh, vertices);
+    for (const std::string& step : steps)
+      if (!step.empty()) result[step] = runsWithout(step, mesh, vertices);
     std::printf("%s\n", result.dump().c_str());
   } catch (const Error& error) {
     std::fprintf(stderr, "%s %s\n", error.what(), error.hint.c_str());

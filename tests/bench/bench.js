@@ -13,6 +13,7 @@
 //   npm run bench -- quads --models FOLDER [case…]                          quads, by one evaluator
 //   npm run bench -- repair [--models FOLDER] [--json FILE] [--wrap] [case…]   broken surfaces
 //   npm run bench -- readme --models FOLDER           the figures that README.md prints
+//   npm run bench -- sensitivity NAME --value V… --models FOLDER [case…]   a constant's worth
 //   npm run bench -- trust --models FOLDER [FOLDER…]  files under the laws of trust, by their bytes
 //   npm run bench -- wait --models FOLDER [--runs N] [case…]    how long people wait, in units
 // A case is named as in limits.json, or by the beginning of its name. Without a folder of models
@@ -32,6 +33,7 @@ import { runQuads } from './quads.js';
 import { runReadme } from './readme.js';
 import { runRepair } from './repair.js';
 import { runScale } from './scale.js';
+import { runSensitivity } from './sensitivity.js';
 import { runTable1 } from './table1.js';
 import { runTrust } from './trust.js';
 import { runWait } from './wait.js';
@@ -47,6 +49,7 @@ const { values, positionals } = parseArgs({
     json: { type: 'string' },
     wrap: { type: 'boolean', default: false },
     without: { type: 'string', multiple: true, default: [] },
+    value: { type: 'string', multiple: true, default: [] },
   },
 });
 
@@ -71,6 +74,9 @@ function run() {
       return runRepair(limits.repair, { folder: values.models, names: rest, json: values.json,
         wrap: values.wrap });
     case 'readme': return runReadme(values.models);
+    case 'sensitivity':
+      return runSensitivity(limits.cases, { folder: values.models, constant: rest[0],
+        values: values.value, names: rest.slice(1) });
     case 'trust': return runTrust([values.models, ...rest].filter(Boolean));
     case 'wait':
       return runWait(limits.wait,

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { constantsIn } from '../support/constants.js';
+import { constantsIn, withConstant } from '../support/constants.js';
 import { cppFunctions } from '../support/cpp_functions.js';
 import {
   filesWithSizes, folderSizes, jsFunctions, limits, shareOfLong,
@@ -107,4 +107,15 @@ test('constants are found, several to a statement, and no calls or mentions', ()
     inline constexpr Effort kRow = {1, 2}; const double kFour = std::cos(kOne);
     if (x == kOne) return kTwo + f(kOne); static constexpr int kFive{5};`),
   ['kOne', 'kTwo', 'kRow', 'kFour', 'kFive']);
+});
+
+test('a named constant gets another value where it is defined, and nowhere else', () => {
+  const text = `// kOne = 0
+constexpr double kOne = 1, kTwo = 2.5;
+if (x == kOne) return kTwo + f(kOne); static constexpr int kFive{5};`;
+  assert.equal(withConstant(text, 'kOne', '7'), text.replace('kOne = 1', 'kOne = 7'));
+  assert.equal(withConstant(text, 'kTwo', '7'), text.replace('2.5', '7'));
+  assert.equal(withConstant(text, 'kFive', '7'), text.replace('{5}', '{7}'));
+  assert.equal(withConstant(text, 'kSix', '7'), undefined);
+  assert.equal(withConstant(`${text}\nconstexpr int kOne = 3;`, 'kOne', '7'), undefined);
 });

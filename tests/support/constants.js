@@ -12,6 +12,18 @@ export function constantsIn(text) {
     [...statement.matchAll(/\b(k[A-Z]\w*)\s*(?:=(?!=)|\{)/g)].map(([, name]) => name));
 }
 
+/**
+ * A C++ text in which a named constant has another value; nothing if it does not define this
+ * constant exactly once.
+ * @param {string} text @param {string} name @param {string} value as C++ writes it
+ */
+export function withConstant(text, name, value) {
+  if (constantsIn(text).filter((one) => one === name).length !== 1) return undefined;
+  const definition = new RegExp(
+    `^([^/\\n]*\\b${name}\\s*=\\s*)[^,;]*|^([^/\\n]*\\b${name}\\{)[^}]*`, 'm');
+  return text.replace(definition, (_, assigned, braced) => `${assigned ?? braced}${value}`);
+}
+
 /** The number of constants in each room of the core. @returns {[string, number][]} */
 export function constantsOfRooms() {
   const rooms = [...new Set(Object.keys(coreRooms).map((room) => room.split('/')[0]))];
