@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Prints the sizes of the code: modules in each folder, named constants in each folder of the core,
-// and for each tree the longest files, the longest functions, and the most parameters.
+// Prints the sizes of the code: modules in each folder, engines of a kind, named constants in each
+// folder of the core, and for each tree the longest files, the longest functions, and the most
+// parameters.
 //   npm run figures
 import { constantsOfRooms } from '../support/constants.js';
+import { engineList, houseSizes } from '../support/engines.js';
 import { filesWithSizes, folderSizes, limits, shareOfLong } from '../support/figures.js';
 import { markdownTable } from './table.js';
 
@@ -23,6 +25,9 @@ function print(title, names, rows) {
 
 print(`Folders (at most ${limits.modules} modules)`, ['folder', 'modules', 'files'],
   [...folderSizes(files)].map(([folder, size]) => [folder, size.modules, size.files]));
+
+console.log(`Engines of a kind\n\n${engineList()}\n`);
+print('The core', ['size', 'at first', 'today'], houseSizes());
 
 print('Named constants', ['folder of src', 'constants'], constantsOfRooms());
 

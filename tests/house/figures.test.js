@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
 // No room, no file and no function has outgrown its reader.
 import assert from 'node:assert/strict';
+import { existsSync } from 'node:fs';
+import { join } from 'node:path';
 import { test } from 'node:test';
 
 import { constantsIn, withConstant } from '../support/constants.js';
 import { cppFunctions } from '../support/cpp_functions.js';
+import { engineList, engines, sourceOf } from '../support/engines.js';
 import {
   filesWithSizes, folderSizes, jsFunctions, limits, shareOfLong,
 } from '../support/figures.js';
+import { readText, root } from '../support/tree.js';
 
 const sources = ['src', 'bindings', 'web'].flatMap(filesWithSizes);
 const files = [...sources, ...filesWithSizes('tests')];
@@ -100,6 +104,13 @@ test(`most functions have at most ${limits.habit} lines`, () => {
 test(`a function has at most ${limits.parameters} parameters`, () => {
   const wrong = functions.filter(({ parameters }) => parameters > limits.parameters);
   assert.deepEqual(wrong.map(({ where }) => where), []);
+});
+
+test('src/README.md names the engines of a kind, and each is there', () => {
+  assert.ok(readText('src/README.md').includes(engineList()), 'npm run figures prints the list');
+  const missing = engines.flatMap(({ files }) => files).map(sourceOf)
+    .filter((file) => !existsSync(join(root, file)));
+  assert.deepEqual(missing, []);
 });
 
 test('constants are found, several to a statement, and no calls or mentions', () => {

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// What the house has more than one of: engines that do the same kind of work, by name, and the sizes
+// that the architecture is judged by. `npm run figures` prints both; src/README.md holds them.
+import { constantsIn } from './constants.js';
+import { filesUnder, readText } from './tree.js';
+
+/** @typedef {{ kind: string, files: readonly string[], before: number, aim: number }} Engines */
+
+/**
+ * Kinds of work with the files of `src` that do it, each without its ending.
+ * @type {readonly Engines[]} before: as many when they were first counted
+ */
+export const engines = [
+  { kind: 'edge collapse', before: 7, aim: 2, files: ['simplify/simplify', 'simplify/thin_out',
+    'remesh/ground/decimate', 'remesh/steps/adapt', 'remesh/steps/coarsen', 'remesh/schemes/rounds',
+    'remesh/quads/shape/collapse', 'remesh/conforming/thinning', 'repair/solid/clean_up'] },
+  { kind: 'local search around a bad face', before: 5, aim: 1, files: ['remesh/steps/polish',
+    'remesh/accuracy/needles', 'remesh/accuracy/uncross', 'remesh/accuracy/star_search',
+    'remesh/accuracy/lower_hausdorff', 'remesh/quads/shape/rewiring'] },
+  { kind: 'sampler of distances', before: 10, aim: 3, files: ['measure/hausdorff',
+    'remesh/schemes/follow', 'remesh/accuracy/places', 'remesh/accuracy/two_sided_distance',
+    'remesh/quads/shape/quad_tips', 'remesh/quads/shape/limbs', 'textures/painting/side_finder',
+    'repair/solid/seen_loss'] },
+  { kind: 'prover of distances', before: 2, aim: 1,
+    files: ['measure/distance_bound', 'remesh/gate/error_bound'] },
+  { kind: 'search for lost tips', before: 2, aim: 1,
+    files: ['remesh/accuracy/tips', 'remesh/quads/shape/quad_tips'] },
+  { kind: 'table that chooses a mesh', before: 7, aim: 1, files: ['remesh/schemes/chooser'] },
+];
+
+/** The sources of an engine. @param {string} file without its ending */
+export const sourceOf = (file) => `src/${file}.cpp`;
+
+/** The engines as src/README.md lists them. */
+export const engineList = () => ['| engines | at first | today | aim | where |',
+  '|---|---|---|---|---|',
+  ...engines.map(({ kind, files, before, aim }) =>
+    `| ${kind} | ${before} | ${files.length} | ${aim} | `
+    + `${files.map((file) => `\`${file}\``).join(', ')} |`)].join('\n');
+
+/** Sizes by name: when they were first counted, and today. @returns {string[][]} */
+export function houseSizes() {
+  const texts = filesUnder('src', /\.(h|cpp)$/).map(readText);
+  const sum = (/** @type {(text: string) => number} */ count) =>
+    texts.reduce((all, text) => all + count(text), 0);
+  const told = new Set(texts.flatMap((text) =>
+    [...text.matchAll(/\bfires\("([^"]+)"\)/g)].map(([, name]) => name)));
+  return [
+    ['lines of the core', '50,700', sum((text) => text.split('\n').length - 1)
+      .toLocaleString('en')],
+    ['named constants of the core', '420, literals counted', String(
+      sum((text) => constantsIn(text).length))],
+    ['fallbacks and limits of work that are counted', '0', String(told.size)],
+  ];
+}
