@@ -2,7 +2,9 @@
 #include "textures/charts/chart_joining.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 #include <queue>
 #include <utility>
 
@@ -20,6 +22,49 @@ namespace {
 
 // Limit on a union's triangles: each join visits all of them, and larger charts have little border.
 constexpr std::size_t kMostTriangles = 512;
+// A union may be as long as this multiple of the longer of its charts, whatever the limit.
+constexpr double kGrown = 1.1;
+// Directions in which the length of a chart is measured.
+constexpr int kDirections = 8;
+
+// The longest extent of points in the plane, about.
+class PlaneReach {
+ public:
+  void add(const Vec2& p) {
+    for (int i = 0; i < kDirections; ++i) {
+      const double along = p.dot(directions()[i]);
+      low_[i] = std::min(low_[i], along);
+      high_[i] = std::max(high_[i], along);
+    }
+  }
+
+  double longest() const {
+    double longest = 0;
+    for (int i = 0; i < kDirections; ++i) longest = std::max(longest, high_[i] - low_[i]);
+    return longest;
+  }
+
+ private:
+  using Ends = std::array<double, kDirections>;
+
+  static const std::array<Vec2, kDirections>& directions() {
+    static const std::array<Vec2, kDirections> all = [] {
+      std::array<Vec2, kDirections> turned;
+      for (int i = 0; i < kDirections; ++i)
+        turned[i] = Eigen::Rotation2Dd(i * std::numbers::pi / kDirections) * Vec2::UnitX();
+      return turned;
+    }();
+    return all;
+  }
+
+  static Ends filled(double value) {
+    Ends ends;
+    ends.fill(value);
+    return ends;
+  }
+
+  Ends low_ = filled(kInfinity), high_ = filled(-kInfinity);
+};
 
 struct Offer {
   Index from, into;
@@ -29,8 +74,9 @@ struct Offer {
 
 class Joining {
  public:
-  Joining(const ChartSurface& surface, std::vector<Chart> charts)
+  Joining(const ChartSurface& surface, std::vector<Chart> charts, double longest)
       : surface_(surface),
+        longest_(longest),
         corners_(surface.indices.size()),
         isGlued_(surface.indices.size(), 0),
         chartOf_(surface.indices.size() / 3),
@@ -199,6 +245,8 @@ class Joining {
       to.insert(to.end(), {corners_[nextCorner(twin)], corners_[twin]});
     }
     const PlaneMotion motion(from, to);
+    const double longest =
+        std::max(longest_, kGrown * std::max(lengthOf(next.from), lengthOf(next.into)));
     std::vector<Index>&own = triangles_[next.from], &others = triangles_[next.into];
     const std::vector<Vec2> before = moved(own, motion);
     glue(next.seam, 1);
@@ -206,7 +254,7 @@ class Joining {
     all.insert(all.end(), own.begin(), own.end());
     PlaneMesh mesh = meshOf(all);
     relax(mesh);
-    if (!isTrue(mesh) || coversTwice(borderOf(all, mesh))) {
+    if (!isTrue(mesh) || lengthOf(mesh) > longest || coversTwice(borderOf(all, mesh))) {
       glue(next.seam, 0);
       for (std::size_t i = 0; i < before.size(); ++i) corners_[3 * own[i / 3] + i % 3] = before[i];
       return false;
@@ -218,6 +266,19 @@ class Joining {
     ++versions_[next.into];
     ++versions_[next.from];
     return true;
+  }
+
+  double lengthOf(Index chart) const {
+    PlaneReach reach;
+    for (const Index t : triangles_[chart])
+      for (Index h = 3 * t; h < 3 * t + 3; ++h) reach.add(corners_[h]);
+    return reach.longest();
+  }
+
+  static double lengthOf(const PlaneMesh& mesh) {
+    PlaneReach reach;
+    for (const Vec2& p : mesh.vertices) reach.add(p);
+    return reach.longest();
   }
 
   // Moves the triangles; returns where their corners were.
@@ -236,11 +297,13 @@ class Joining {
   }
 
   const ChartSurface& surface_;
+  double longest_;              // of a union of short charts
   std::vector<Vec2> corners_;   // in the plane of their chart
   std::vector<char> isGlued_;   // per corner: whether the chart continues across the edge from it
   std::vector<Index> chartOf_;  // per triangle
   std::vector<Index> versions_;
   std::vector<std::vector<Index>> triangles_;  // per chart
+  double longestJoined_ = 0;                   // of a union of short charts
   std::vector<Index> place_;                   // per triangle its number in the current chart
   std::vector<Offer> offers_;
   // By the shared length, as a share of the shorter border of the two charts.
@@ -249,8 +312,9 @@ class Joining {
 
 }  // namespace
 
-std::vector<FlatChart> layFlat(const ChartSurface& surface, std::vector<Chart> charts) {
-  return Joining(surface, std::move(charts)).run();
+std::vector<FlatChart> layFlat(const ChartSurface& surface, std::vector<Chart> charts,
+                               double longest) {
+  return Joining(surface, std::move(charts), longest).run();
 }
 
 }  // namespace remesher

@@ -16,7 +16,8 @@ struct FlatChart {
 };
 
 // In the plane no triangle is turned over and none covers another. Areas are even to within 1 /
-// cos(kMostTilt).
-std::vector<FlatChart> layFlat(const ChartSurface& surface, std::vector<Chart> charts);
+// cos(kMostTilt). longest: no union is longer, unless one of its charts is about as long already.
+std::vector<FlatChart> layFlat(const ChartSurface& surface, std::vector<Chart> charts,
+                               double longest);
 
 }  // namespace remesher

@@ -17,6 +17,8 @@ namespace {
 
 // Tried angles within a right angle.
 constexpr int kTurns = 32;
+// Quarter turns in which a chart may lie.
+constexpr std::size_t kQuarters = 4;
 // Most cells along a side of the square.
 constexpr Index kCells = 512;
 // The ratio between a scale at which all fits and one at which not.
@@ -171,13 +173,16 @@ struct Reach {
   int begin = kCells, end = 0;
 };
 
-// The place of a chart: turned by a quarter or not, and its box's corner in cells.
+// The place of a chart: its quarter turns, and its box's corner in cells.
 struct Berth {
   int x = 0, y = 0;
   std::size_t turn = 0;
 };
 
 class Packer {
+  template <class T>
+  using Turns = std::array<T, kQuarters>;
+
  public:
   Packer(std::span<const PlaneChart> charts, const PackingRules& rules)
       : rules_(rules), cell_((rules.size + kCells - 1) / kCells), cells_(int(rules.size / cell_)) {
@@ -186,7 +191,9 @@ class Packer {
       const Vec2 size = Bounds(flat).size();
       order_.push_back({-size.sum(), Index(charts_.size())});
       longest_ = std::max(longest_, size.maxCoeff());
-      charts_.push_back({flat, upright(flat)});
+      charts_.push_back({flat});
+      for (std::size_t turn = 1; turn < kQuarters; ++turn)
+        charts_.back()[turn] = upright(charts_.back()[turn - 1]);
     }
     std::sort(order_.begin(), order_.end());
   }
@@ -213,8 +220,8 @@ class Packer {
   // An upper bound on the scale, by total area and by the longest chart.
   double largestThinkable() const {
     double area = 0;
-    for (const auto& [chart, turned] : charts_)
-      for (const PlaneTriangle& t : chart) {
+    for (const Turns<PlaneChart>& turns : charts_)
+      for (const PlaneTriangle& t : turns.front()) {
         const Vec2 a = t[1] - t[0], b = t[2] - t[0];
         area += 0.5 * std::abs(a.x() * b.y() - a.y() * b.x());
       }
@@ -271,13 +278,18 @@ class Packer {
     }
   }
 
-  // Masks of all charts, unturned and turned; none if the charts have more cells than the square.
-  std::optional<std::vector<std::array<Mask, 2>>> masksAt(double scale) const {
-    std::vector<std::array<Mask, 2>> masks;
+  // Masks of all charts in their turns; none if the charts have more cells than the square.
+  std::optional<std::vector<Turns<Mask>>> masksAt(double scale) const {
+    std::vector<Turns<Mask>> masks;
     int free = cells_ * cells_;
-    for (const auto& [chart, turned] : charts_) {
-      masks.push_back({maskOf(chart, scale), maskOf(turned, scale)});
-      free -= std::min(masks.back()[0].cells, masks.back()[1].cells);
+    for (const Turns<PlaneChart>& turns : charts_) {
+      int fewest = free + 1;
+      masks.emplace_back();
+      for (std::size_t turn = 0; turn < kQuarters; ++turn) {
+        masks.back()[turn] = maskOf(turns[turn], scale);
+        fewest = std::min(fewest, masks.back()[turn].cells);
+      }
+      free -= fewest;
       if (free < 0) return {};
     }
     return masks;
@@ -312,7 +324,7 @@ class Packer {
     for (const auto& [size, i] : order_) {
       std::optional<Berth> best;
       int top = cells_;
-      for (const std::size_t turn : {0, 1}) {
+      for (std::size_t turn = 0; turn < kQuarters; ++turn) {
         const std::optional<Berth> berth = berthFor((*masks)[i][turn], square, top);
         if (!berth) continue;
         best = {berth->x, berth->y, turn};
@@ -342,7 +354,7 @@ class Packer {
   PackingRules rules_;
   Index cell_;  // texels
   int cells_;   // along a side
-  std::vector<std::array<PlaneChart, 2>> charts_;
+  std::vector<Turns<PlaneChart>> charts_;
   double longest_ = 0;
   std::vector<std::pair<double, Index>> order_;  // the largest first
 };

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "textures/charts/unwrap.h"
 
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "geometry/triangle.h"
 #include "mesh/edge_groups.h"
 #include "textures/charts/chart_growth.h"
 #include "textures/charts/chart_joining.h"
@@ -8,6 +13,41 @@
 namespace remesher {
 
 namespace {
+
+// The lengths of joined charts that are tried in turn while the square stays emptier than kFull, as
+// multiples of the side of a square of the whole surface's area. Shorter charts, which are more,
+// are taken only if they are drawn larger by kWorthMore.
+constexpr std::array kLongest = {kInfinity, 1.3, 0.9};
+constexpr double kFull = 0.45, kWorthMore = 1.07;
+
+struct Layout {
+  std::vector<FlatChart> charts;
+  Packing packing = {{}, 0};
+};
+
+double areaOf(const UnwrapInput& mesh) {
+  double area = 0;
+  const auto corner = [&](std::size_t h) -> const Vec3& { return mesh.positions[mesh.indices[h]]; };
+  for (std::size_t h = 0; h < mesh.indices.size(); h += 3)
+    area += areaVector(corner(h), corner(h + 1), corner(h + 2)).norm() / 2;
+  return area;
+}
+
+Layout laidOut(const ChartSurface& surface, double area, const PackingRules& rules) {
+  const std::vector<Chart> grown = growCharts(surface);
+  Layout best;
+  for (const double longest : kLongest) {
+    Layout next{layFlat(surface, grown, longest * std::sqrt(area))};
+    std::vector<PlaneChart> flat;
+    for (const FlatChart& chart : next.charts) flat.push_back(chart.plane);
+    next.packing = packCharts(flat, rules);
+    if (best.charts.empty() || next.packing.scale > kWorthMore * best.packing.scale)
+      best = std::move(next);
+    const double side = best.packing.scale / rules.size;
+    if (side * side * area >= kFull) break;
+  }
+  return best;
+}
 
 // Per corner the twin of the edge from it, if two triangles share the edge and it is not cut.
 std::vector<Index> twinsOf(const UnwrapInput& mesh) {
@@ -29,10 +69,7 @@ std::vector<Index> twinsOf(const UnwrapInput& mesh) {
 Unwrapped unwrap(const UnwrapInput& mesh, const PackingRules& rules) {
   const std::vector<Index> twins = twinsOf(mesh);
   const ChartSurface surface{mesh.positions, mesh.indices, twins, mesh.faces};
-  const std::vector<FlatChart> charts = layFlat(surface, growCharts(surface));
-  std::vector<PlaneChart> flat;
-  for (const FlatChart& chart : charts) flat.push_back(chart.plane);
-  const Packing packing = packCharts(flat, rules);
+  const auto [charts, packing] = laidOut(surface, areaOf(mesh), rules);
   Unwrapped result{std::vector<Vec2>(mesh.indices.size(), Vec2::Zero()),
                    std::vector<char>(mesh.indices.size(), 1),
                    std::vector<Index>(mesh.indices.size() / 3, 0), charts.size(), packing.scale};
