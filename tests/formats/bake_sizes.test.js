@@ -13,8 +13,11 @@ import { GltfMaker } from '../support/gltf.js';
 import { png } from '../support/png.js';
 import { sheetOf } from '../support/shapes.js';
 
+const ramp = (x, y) => [9, 99, 8 * (x + y) % 256];
+
 /** Two sheets side by side, the texture's column where each begins, and how wide they are on it. */
-function sheets([width, height], begins, wide) {
+function sheets([width, height], begins, wide,
+  image = { bytes: png(width, height, ramp), mimeType: 'image/png' }) {
   const [positions, texcoords, indices] = [[], [], []];
   for (let at = 0; at < 81 * begins.length; at += 1) {
     const [n, i, j] = [Math.floor(at / 81), Math.floor(at / 9) % 9, at % 9];
@@ -24,8 +27,7 @@ function sheets([width, height], begins, wide) {
   }
   const maker = new GltfMaker();
   Object.assign(maker.tree, {
-    images: [{ bufferView: maker.addView(png(width, height, (x, y) => [9, 99, 8 * (x + y) % 256])),
-      mimeType: 'image/png' }],
+    images: [{ bufferView: maker.addView(image.bytes), mimeType: image.mimeType }],
     textures: [{ source: 0 }],
     materials: [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 } } }],
   });
@@ -95,14 +97,21 @@ test('hundreds of leaves without a texture get a map that is large enough for th
   assert.match(error.message, /64 texels are too small for 900 charts/);
 });
 
+const codecs = new ImageCodecs({ compile: compileCodec });
+
+/** A picture to be a JPEG, its colours by a formula of column, row and number of the byte. */
+function pictureOf(width, valueAt) {
+  const texels = Uint8Array.from({ length: 4 * width * width }, (_, at) => (at % 4 === 3 ? 255
+    : valueAt((at >> 2) % width, Math.floor((at >> 2) / width), at)));
+  return { name: '', type: 'image/jpeg', width, height: width, texels };
+}
+
 /** How far a JPEG is from an image of steps and noise, of 255, in the mean. */
 async function lossOf(width) {
-  const codecs = new ImageCodecs({ compile: compileCodec });
-  const texels = Uint8Array.from({ length: 4 * width * width }, (_, at) => {
-    const [x, y] = [(at >> 2) % width, Math.floor((at >> 2) / width)];
-    return at % 4 === 3 ? 255 : 60 + 120 * ((x >> 3) + (y >> 3) & 1) + (7 * x * y + 31 * at) % 17;
-  });
-  const bytes = await codecs.encode({ name: '', type: 'image/jpeg', width, height: width, texels });
+  const picture = pictureOf(width, (x, y, at) =>
+    60 + 120 * ((x >> 3) + (y >> 3) & 1) + (7 * x * y + 31 * at) % 17);
+  const { texels } = picture;
+  const bytes = await codecs.encode(picture);
   const decoded = await codecs.decode({ name: 'decoded', bytes });
   return decoded.texels.reduce((sum, v, at) => sum + Math.abs(v - texels[at]), 0) / texels.length;
 }
@@ -110,4 +119,17 @@ async function lossOf(width) {
 test('small images, which are seen from near, lose less than large ones', async () => {
   const [small, large] = [await lossOf(512), await lossOf(1024)];
   assert.ok(small < 0.75 * large, `${small}, ${large}`);
+});
+
+test('new images take no more bytes than those that they were baked from', async () => {
+  const mimeType = 'image/jpeg';
+  const waves = pictureOf(512, (x, y, at) =>
+    128 + 50 * Math.sin(x / 5 + at % 4) + 50 * Math.sin(x / 11 + y / 3.7));
+  const bytes = await codecs.encode({ ...waves, lowered: 6 });
+  const model = sheets([512, 512], [0], 1, { bytes, mimeType });
+  const { report } = await remeshFile(model.bytes,
+    { name: model.name, vertices: 80, textures: 'bake', textureFormat: 'jpeg' });
+  const sizes = report.textures.map((texture) => texture.bytes);
+  const all = sizes.reduce((sum, size) => sum + size, 0);
+  assert.ok(all <= bytes.length, `${sizes} of ${bytes.length}`);
 });

@@ -84,6 +84,7 @@
  * @property {number} width Texels.
  * @property {number} height Texels.
  * @property {Uint8Array} texels The bytes.
+ * @property {number} [lowered] By how much its quality is lower than usual.
  */
 
 /**

@@ -16,6 +16,13 @@ import { imageHeader } from './image_header.js';
 /** The shares of decoding and encoding in the whole run. */
 const shares = { decoding: 0.07, encoding: 0.25 };
 
+/** By how much the quality of new images is lowered in turn while they take more bytes than those
+ * they were baked from: more detail than these had, no quality brings back. */
+const lowerings = [3, 6, 9];
+
+/** @param {readonly { bytes: Uint8Array }[]} images */
+const sizeOf = (images) => images.reduce((sum, { bytes }) => sum + bytes.length, 0);
+
 /** The images that an OBJ's material libraries name; the core says which are missing.
  * @param {FileRequest} file */
 function imagesBeside({ name: model, resources }) {
@@ -30,6 +37,8 @@ export class Baker {
   #onProgress;
   #areWebp = false;
   #areNormalsJpeg = false;
+  /** Bytes of the images that are baked from. */
+  #given = 0;
 
   /**
    * @param {import('./image_codecs.js').CodecSource} source
@@ -62,6 +71,7 @@ export class Baker {
   /** @param {FileRequest} file @returns {Promise<FileRequest>} with its images decoded */
   async opened(file) {
     const images = isGltf(file.bytes) ? imagesOf(file) : imagesBeside(file);
+    this.#given = sizeOf(images);
     this.#areWebp = images.length > 0
       && images.every(({ bytes }) => imageHeader(bytes)?.type === 'image/webp');
     const normals = isGltf(file.bytes) ? normalsOf(file) : [];
@@ -85,13 +95,24 @@ export class Baker {
    * @param {unknown} [format] of textures, as it was asked for */
   async closed({ pictures: made = [], ...outcome }, format) {
     const pictures = made.map((/** @type {Picture} */ one) => this.#settled(one, format));
-    const bytes = await this.#crew.run(
-      pictures.map((/** @type {Picture} */ image) => ({ work: 'encode', image })),
-      (done) => this.#tell('encode images',
-        1 - shares.encoding * (1 - done / (pictures.length || 1))));
-    const encoded = pictures.map((/** @type {Picture} */ { name, type }, /** @type {number} */ i) =>
-      ({ name, type, bytes: bytes[i] }));
-    return { ...outcome, files: withImages(outcome.files, encoded) };
+    return { ...outcome, files: withImages(outcome.files, await this.#encoded(pictures)) };
+  }
+
+  /** @param {Picture[]} pictures */
+  async #encoded(pictures) {
+    const encode = (/** @type {Picture[]} */ images, /** @type {(done: number) => number} */ at) =>
+      this.#crew.run(images.map((image) => ({ work: 'encode', image })),
+        (done) => this.#tell('encode images', at(done)));
+    const bytes = await encode(pictures,
+      (done) => 1 - shares.encoding * (1 - done / (pictures.length || 1)));
+    const all = pictures.map(({ name, type }, i) => ({ name, type, bytes: bytes[i] }));
+    const lossy = [...pictures.keys()].filter((i) => pictures[i].type !== 'image/png');
+    for (const lowered of this.#given > 0 && lossy.length > 0 ? lowerings : []) {
+      if (sizeOf(all) <= this.#given) break;
+      const smaller = await encode(lossy.map((i) => ({ ...pictures[i], lowered })), () => 1);
+      lossy.forEach((i, k) => { all[i].bytes = smaller[k]; });
+    }
+    return all;
   }
 
   /** Must be called in the end, whatever happened. */

@@ -50,13 +50,14 @@ const codecs = {
  * would show, and weigh little. @param {number} count of texels */
 const qualityFor = (count) => (count <= 512 ** 2 ? 97 : 90);
 
-/** What suits a picture. In maps of normals hues are directions, which JPEG must not blur: then a
- * lower quality keeps them better than a higher one with blurred hues, in fewer bytes.
- * @param {Pick<Picture, 'name' | 'type' | 'width' | 'height'>} picture */
-function qualityOf({ name, type, width, height }) {
-  const quality = qualityFor(width * height);
-  if (name !== 'normal' || type !== 'image/jpeg') return { quality };
-  return { quality: Math.max(quality - 5, 85), auto_subsample: false, chroma_subsample: 1 };
+/** What suits a picture. In maps of normals and of surfaces hues are numbers of their own, which
+ * JPEG must not blur: a lower quality keeps them better than a higher one with blurred hues, in
+ * fewer bytes. @param {Omit<Picture, 'texels'>} picture */
+function qualityOf({ name, type, width, height, lowered = 0 }) {
+  const quality = qualityFor(width * height) - lowered;
+  if (type !== 'image/jpeg') return { quality };
+  return { quality: name === 'normal' ? Math.max(quality - 5, 78) : quality,
+    auto_subsample: false, chroma_subsample: 1 };
 }
 
 /**
@@ -169,12 +170,13 @@ export class ImageCodecs {
   }
 
   /** @param {Picture} picture @returns {Promise<Uint8Array>} */
-  async encode({ name, type, width, height, texels }) {
+  async encode({ texels, ...picture }) {
+    const { type, width, height } = picture;
     return withImageData(async () => {
       const [, encode] = await this.#load(type);
       const data = new Uint8ClampedArray(texels.buffer, texels.byteOffset, texels.byteLength);
       return new Uint8Array(await encode({ data, width, height },
-        { ...codecs[type].options, ...qualityOf({ name, type, width, height }) }));
+        { ...codecs[type].options, ...qualityOf(picture) }));
     });
   }
 }
