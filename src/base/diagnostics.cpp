@@ -72,6 +72,7 @@ constexpr std::array kDiagnostics = {
     Diagnostic{"SELF_INTERSECTIONS_MADE", Severity::Fault},
     Diagnostic{"SHAPE_LOST_TO_ROUNDING", Severity::Fault},
     Diagnostic{"SHAPE_NOT_PREFERRED", Severity::Loss},
+    Diagnostic{"SHAPE_TAKES_MORE", Severity::Loss},
     Diagnostic{"SHEETS_DROPPED", Severity::Note},
     Diagnostic{"SHEETS_LEFT", Severity::Fault},
     Diagnostic{"SHEETS_MADE_BODIES", Severity::Note},

@@ -31,6 +31,8 @@ inline bool isForced(Symmetry symmetry) {
   return symmetry != Symmetry::Auto && symmetry != Symmetry::Off;
 }
 enum class Repair { Off, Holes, Solid, Wrap, Auto };  // what is mended before remeshing
+// Whether a lattice makes the surface anew: of the way that was taken, not of Auto.
+inline bool isRemade(Repair repair) { return repair == Repair::Solid || repair == Repair::Wrap; }
 enum class Sheets { Thicken, Drop };                  // what wrap does with open sheets
 enum class TooFew { Refuse, Raise };                  // for a target below what the surface needs
 enum class LodsBy { Shares, Pixels };                 // what `lods` says of each level

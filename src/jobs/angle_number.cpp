@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/fires.h"
+#include "base/legible.h"
 #include "base/place.h"
 #include "jobs/fewest_vertices.h"
 #include "jobs/open_number.h"
@@ -25,6 +26,7 @@ constexpr double kFewSmall = 0.001;
 // Beyond few vertices twice as many must leave at most one in so many of the smaller angles.
 constexpr double kFewVertices = 2000;
 constexpr double kGains = 1.5;
+constexpr int kDigitsAway = 2;  // of a distance in a message
 
 // The share of the triangles that have smaller angles.
 double missedIn(const RemeshOutcome& made) {
@@ -45,6 +47,14 @@ Warning moreForAngle(std::size_t vertices, std::size_t own) {
                                      " now, which the smallest angle that is wanted takes."};
 }
 
+// away: as seenAway gives it.
+Warning awayForAngle(double away) {
+  return {"SHAPE_TAKES_MORE",
+          "The smallest angle that is wanted takes the surface up to " +
+              inDigits(100 * kSeen * away, kDigitsAway) +
+              " % of the diagonal away. Ask for a greater number of vertices, or a smaller angle."};
+}
+
 }  // namespace
 
 bool leadsByAngle(const RemeshOptions& options) {
@@ -56,12 +66,11 @@ RemeshOutcome remeshToAngle(const TriangleMesh& input, Welding welding,
                             const RemeshOptions& options, const Progress& progress) {
   RemeshOptions unlimited = options;
   unlimited.minAngle.reset();
-  const bool isOpen = leavesNumberOpen(unlimited);
-  RemeshOutcome made = isOpen ? remeshAtOpenNumber(input, welding, unlimited, progress)
-                              : remeshSurface(input, welding, options, progress);
-  if (isOpen && inspectMesh(made.mesh).minAngle.worst >= *options.minAngle) return made;
-  if (!isOpen && keepsAngle(made)) return made;
-  const bool hasShape = isOpen && made.prefer == Prefer::Shape;
+  RemeshOutcome made = leavesNumberOpen(unlimited)
+                           ? remeshAtOpenNumber(input, welding, unlimited, progress)
+                           : remeshSurface(input, welding, unlimited, progress);
+  if (inspectMesh(made.mesh).minAngle.worst >= *options.minAngle) return made;
+  const bool hasShape = made.prefer == Prefer::Shape;
   const std::size_t own = countPlaces(input.positions);
   const double most = std::max(kMostTimes * double(own), kMostOfSmall);
   RemeshOptions numbered = options;
@@ -86,6 +95,7 @@ RemeshOutcome remeshToAngle(const TriangleMesh& input, Welding welding,
   if (!best) return made;
   if (!keepsAngle(*best)) fires("angle number: no number keeps the angle");
   if (best->vertices > own) best->warnings.push_back(moreForAngle(best->vertices, own));
+  if (hasShape && nearest > 1) best->warnings.push_back(awayForAngle(nearest));
   return std::move(*best);
 }
 

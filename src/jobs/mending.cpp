@@ -114,8 +114,9 @@ void Mending::repair(std::vector<io::Part>& parts, const RemeshOptions& options,
   if (isSized) sized.vertices = Index(std::max(1.0, std::round(target)));
   repair_ = repairParts(std::move(parts), sized, progress.phase("repair", 0, 1));
   parts = std::move(repair_->parts);
-  const double mended = isSized ? double(inspectScaled(parts).vertices) : 0;
-  if (mended > 0) ratio_ = target / mended;
+  if (!isSized) return;
+  const std::size_t mended = inspectScaled(parts).vertices;
+  if (mended > 0 && (options.ratio || mended != given.vertices)) ratio_ = target / double(mended);
 }
 
 void Mending::dropHidden(std::vector<io::Part>& parts, const RemeshOptions& options) {

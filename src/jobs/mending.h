@@ -31,7 +31,7 @@ class Mending {
 
   // The options with the way of repair that was chosen, if the choice was repair's own. Without a
   // number of vertices, `ratio` is a share of the input's number, not of the repaired one, which
-  // may be many times larger.
+  // may be many times larger; where both are equal the number stays open.
   RemeshOptions chosen(RemeshOptions options) const;
 
   // Whether a lattice has replaced the triangles of any part.

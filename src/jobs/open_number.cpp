@@ -115,7 +115,7 @@ class OpenNumber {
 
 bool leavesNumberOpen(const RemeshOptions& options) {
   return !hasNumber(options) && !options.maxError && options.scheme == Scheme::Best &&
-         options.prefer == Prefer::Auto && options.repair == Repair::Off && !options.quads &&
+         options.prefer == Prefer::Auto && !isRemade(options.repair) && !options.quads &&
          options.bodies.empty();
 }
 

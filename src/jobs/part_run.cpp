@@ -96,6 +96,7 @@ RemeshOutcome remeshAsShown(PartInput part, const PartTarget& target, const Prog
       return fact == Fact::ResultUnsound && !isSound(outcome.mesh);
     });
     if (rule.taken == Candidate::AsMade) return outcome;
+    if (leavesNumberOpen(options)) options.vertices = Index(outcome.vertices);
     const bool isAsked = std::exchange(options.prefer, Prefer::Even) == Prefer::Shape;
     outcome = remeshPart(std::move(part), options, progress);
     outcome.chosen = inReport(rule);

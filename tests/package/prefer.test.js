@@ -136,3 +136,20 @@ test('no number: a part gets the vertices of isotropic triangles, which is said'
   assert.equal(plain.output.vertices, plain.input.vertices);
   assert.deepEqual(plain.warnings, []);
 });
+
+test('a sound mesh is remeshed as if repair had not been asked for', async () => {
+  for (const mesh of [plate(), ring]) {
+    for (const asked of [{}, { vertices: Math.round(mesh.positions.length / 2) }]) {
+      const [plain, repaired] = await Promise.all([{}, { repair: 'auto' }].map((more) =>
+        remesh(mesh, { ...asked, ...more, worker: false })));
+      assert.deepEqual(repaired.mesh.indices, plain.mesh.indices);
+      assert.deepEqual(repaired.mesh.positions, plain.mesh.positions);
+    }
+  }
+});
+
+test('a mesh for simulation keeps angles and shape, with as many vertices as both take', async () => {
+  const { report } = await remesh(plate(), { preset: 'simulation', worker: false });
+  assert.ok(report.output.minAngle.worst >= 20, `${report.output.minAngle.worst}`);
+  assert.ok(report.fidelity.hausdorff <= 0.05, `${report.fidelity.hausdorff}`);
+});

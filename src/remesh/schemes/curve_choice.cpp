@@ -35,10 +35,8 @@ std::vector<Halfedge> givenEdges(const BuiltMesh& built, const RemeshOptions& op
   return edges;
 }
 
-// Surfaces made by repair follow a lattice: they are flat to the last digit by chance only.
-bool areFlatsMeant(const RemeshOptions& options) {
-  return options.repair != Repair::Solid && options.repair != Repair::Wrap;
-}
+// Surfaces made by a lattice are flat to the last digit by chance only.
+bool areFlatsMeant(const RemeshOptions& options) { return !isRemade(options.repair); }
 
 std::vector<Halfedge> rimsOf(const FlatRegions& flats, const BuiltMesh& built,
                              const RemeshOptions& options) {

@@ -29,14 +29,14 @@ namespace remesher {
 namespace {
 
 // Whether the vertices of the original that its shape needs may be taken instead of isotropic
-// triangles: not if the caller sets sizes, bounds or edges. With repair only on demand, for no
-// collapse there looks for crossings: the caller must.
+// triangles: not if the caller sets sizes, bounds or edges. Of a surface that a lattice has made,
+// only on demand. No collapse there looks for crossings: after repair the caller must.
 bool mayFollow(const RemeshOptions& options) {
   return options.prefer != Prefer::Even && options.scheme == Scheme::Best &&
          options.density.empty() && options.featureEdges.empty() && options.bodies.empty() &&
          !options.maxError && !wantsOfEach(options) && !options.splitObtuse &&
          options.boundary == Boundary::Resample &&
-         (options.repair == Repair::Off || options.prefer == Prefer::Shape);
+         (!isRemade(options.repair) || options.prefer == Prefer::Shape);
 }
 
 // The share of a run's time for the triangles of the map; each mesh of pairs takes a quarter of it.
