@@ -85,7 +85,8 @@ const areEqual = (a, b) => Buffer.compare(Buffer.from(a), Buffer.from(b)) === 0;
  * @param {'said' | 'harm'} law @param {object} [how] of the call: signal, worker
  */
 export async function runTrustCase(input, law, how = {}) {
-  const before = figuresOf(readFile(input.file.bytes, input.file));
+  const before = figuresOf(readFile(input.file.bytes,
+    { ...input.file, isShorter: input.options.quads === true }));
   try {
     const { bytes, name, report, written } = await runOf(input, how);
     const broken = law === 'said' ? lawsOfWriting(written, report, { name, before })

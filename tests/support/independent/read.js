@@ -12,12 +12,25 @@ import { readObj, readOff } from './read_text.js';
 const textOf = (/** @type {Uint8Array} */ bytes) => new TextDecoder().decode(bytes);
 
 /**
- * A part with its faces as triangles too: polygons become fans.
- * @param {FacePart} part
+ * A face that begins at an end of its shorter diagonal, if it has four corners: no file says along
+ * which of the two a bent one is to be cut.
+ * @param {ArrayLike<number>} positions @param {number[]} face
  */
-export function triangulated(part) {
+function fromShorter(positions, face) {
+  if (face.length !== 4) return face;
+  const square = (/** @type {number} */ a, /** @type {number} */ b) => [0, 1, 2].reduce((sum, k) =>
+    sum + (positions[3 * face[a] + k] - positions[3 * face[b] + k]) ** 2, 0);
+  return square(1, 3) < square(0, 2) * (1 - 1e-6) ? [...face.slice(1), face[0]] : face;
+}
+
+/**
+ * A part with its faces as triangles too: polygons become fans.
+ * @param {FacePart} part @param {boolean} [isShorter] whether quads are cut along shorter diagonals
+ */
+export function triangulated(part, isShorter = false) {
   const triangles = [];
-  for (const face of part.faces) {
+  const faces = isShorter ? part.faces.map((face) => fromShorter(part.positions, face)) : part.faces;
+  for (const face of faces) {
     for (let k = 2; k < face.length; k += 1) triangles.push(face[0], face[k - 1], face[k]);
   }
   return { ...part, triangles: Uint32Array.from(triangles),
@@ -26,13 +39,14 @@ export function triangulated(part) {
 
 /**
  * @param {Uint8Array} bytes
- * @param {{ name: string, resources?: Record<string, Uint8Array> }} file
+ * @param {{ name: string, resources?: Record<string, Uint8Array>, isShorter?: boolean }} file
+ *   isShorter: whether quads are cut along their shorter diagonals, as runs of quads do
  * @returns {{ parts: any[], levels: any[][], materials?: Set<string> }} parts with `positions`,
  *   `faces`, `triangles` and the number of `quads`, in the world
  */
-export function readFile(bytes, { name, resources }) {
+export function readFile(bytes, { name, resources, isShorter }) {
   if (/\.gz$/i.test(name)) {
-    return readFile(gunzipSync(bytes), { name: name.replace(/\.gz$/i, ''), resources });
+    return readFile(gunzipSync(bytes), { name: name.replace(/\.gz$/i, ''), resources, isShorter });
   }
   const extension = name.toLowerCase().split('.').at(-1);
   const readers = { obj: () => readObj(textOf(bytes)), off: () => readOff(textOf(bytes)),
@@ -40,6 +54,6 @@ export function readFile(bytes, { name, resources }) {
     gltf: () => readGltf(bytes, resources) };
   if (!readers[extension]) throw new Error(`no reader for .${extension}`);
   const { parts, levels = [], ...rest } = readers[extension]();
-  return { ...rest, parts: parts.map(triangulated),
-    levels: levels.map((level) => level.map(triangulated)) };
+  const cut = (/** @type {FacePart} */ part) => triangulated(part, isShorter);
+  return { ...rest, parts: parts.map(cut), levels: levels.map((level) => level.map(cut)) };
 }
