@@ -117,7 +117,9 @@ RemeshOutcome remeshToQuads(Plan plan, const TriangleMesh& input, const RemeshOp
   std::vector<InputPlace> places;
   if (options.textures == Textures::Bake || isHalf) places = cornerPlaces(mesh, input);
   std::vector<Warning> warnings = original.warnings();
-  TriangleMesh result = extractMesh(mesh, input, original.transfer());
+  TransferRules transfer = original.transfer();
+  transfer.areQuads = true;
+  TriangleMesh result = extractMesh(mesh, input, transfer);
   result.isQuads = true;
   const std::size_t vertices = isHalf ? wholeCount(quads.mesh, options.mirrors)
                                       : distinctPositions(mesh.mesh(), mesh.positions());

@@ -2,20 +2,30 @@
 #include "remesh/transfer/attribute_transfer.h"
 
 #include <algorithm>
+#include <array>
+#include <span>
 
 namespace remesher {
 
 namespace {
 
-// Where each corner of a triangle takes its attributes from.
-HalfedgeData<SurfacePoint> cornerPoints(const WorkingMesh& mesh, const ChartRules& charts) {
+// Where each corner of a triangle takes its attributes from. The halves of a quad agree about the
+// ends of their diagonal: the first corner of both, and the last of the first.
+HalfedgeData<SurfacePoint> cornerPoints(const WorkingMesh& mesh, const TransferRules& rules) {
   const HalfedgeMesh& m = mesh.mesh();
   HalfedgeData<SurfacePoint> points(m.halfedgeCapacity(), SurfacePoint{});
-  ChartKeeper keeper(mesh, charts);
-  for (Index f = 0; f < m.faceCapacity(); ++f) {
+  ChartKeeper keeper(mesh, rules.charts);
+  const Index halves = rules.areQuads ? 2 : 1;
+  for (Index f = 0; f + halves <= m.faceCapacity(); f += halves) {
     if (!m.isAlive(Face(f))) continue;
-    const std::array<SurfacePoint, 3> corners = keeper.corners(Face(f));
-    for (Index k = 0; k < 3; ++k) points[Halfedge(3 * f + k)] = corners[k];
+    std::array<SurfacePoint, 6> corners;
+    for (Index k = 0; k < 3 * halves; ++k) corners[k] = mesh.cornerPoint(Halfedge(3 * f + k));
+    if (rules.areQuads) {
+      corners[3] = corners[0];
+      corners[4] = corners[2];
+    }
+    keeper.intoOneChart(std::span(corners).first(3 * halves));
+    for (Index k = 0; k < 3 * halves; ++k) points[Halfedge(3 * f + k)] = corners[k];
   }
   return points;
 }
@@ -29,7 +39,7 @@ class WedgeExtraction {
  public:
   WedgeExtraction(const WorkingMesh& mesh, const TriangleMesh& input, const TransferRules& rules)
       : mesh_(mesh), input_(input), mix_(input, rules.chartless) {
-    if (!input.attributes.empty()) points_ = cornerPoints(mesh, rules.charts);
+    if (!input.attributes.empty()) points_ = cornerPoints(mesh, rules);
     for (const Attribute& attribute : input.attributes)
       result_.attributes.push_back({attribute.semantic, attribute.itemSize, {}});
   }

@@ -15,6 +15,7 @@ namespace remesher {
 struct TransferRules {
   std::vector<std::string> chartless;  // attributes whose seams are not kept: see AttributeMix
   ChartRules charts;
+  bool areQuads = false;  // two triangles in a row are the halves of a quad, which has one chart
 };
 
 // A vertex on a seam comes out once per side; everything else once. Triangles keep the group of the

@@ -45,11 +45,9 @@ void ChartKeeper::collect(Face start, const Ball& ball) {
   }
 }
 
-std::array<SurfacePoint, 3> ChartKeeper::intoChart(
-    const std::array<SurfacePoint, 3>& points) const {
+void ChartKeeper::intoChart(std::span<SurfacePoint> points) const {
   const OriginalSurface& surface = mesh_.surface();
-  std::array<SurfacePoint, 3> result = points;
-  for (SurfacePoint& point : result) {
+  for (SurfacePoint& point : points) {
     if (contains(point.face)) continue;
     const Vec3 p = surface.position(point);
     double least = kInfinity;
@@ -63,11 +61,10 @@ std::array<SurfacePoint, 3> ChartKeeper::intoChart(
       point = near;
     }
   }
-  return result;
 }
 
 // The nearest face that is not absorbed, by the number of sides to cross. Curves are not crossed.
-Face ChartKeeper::absorberOf(const std::array<SurfacePoint, 3>& points) {
+Face ChartKeeper::absorberOf(std::span<const SurfacePoint> points) {
   const OriginalSurface& surface = mesh_.surface();
   ++stamp_;
   chart_.clear();
@@ -90,7 +87,7 @@ Face ChartKeeper::absorberOf(const std::array<SurfacePoint, 3>& points) {
 // A face of the chart to show: of the corners' charts that are not absorbed, the one that most
 // corners are in; if all are absorbed, their absorber's. None if the corners are within one chart
 // already.
-Face ChartKeeper::chartFor(const std::array<SurfacePoint, 3>& points, const Ball& ball) {
+Face ChartKeeper::chartFor(std::span<const SurfacePoint> points, const Ball& ball) {
   Face best;
   std::ptrdiff_t most = 0;
   for (const SurfacePoint& point : points) {
@@ -98,7 +95,7 @@ Face ChartKeeper::chartFor(const std::array<SurfacePoint, 3>& points, const Ball
     collect(point.face, ball);
     const auto inside = std::count_if(points.begin(), points.end(),
                                       [&](const SurfacePoint& p) { return contains(p.face); });
-    if (inside == 3) return {};
+    if (inside == std::ptrdiff_t(points.size())) return {};
     if (inside <= most) continue;
     most = inside;
     best = point.face;
@@ -106,22 +103,20 @@ Face ChartKeeper::chartFor(const std::array<SurfacePoint, 3>& points, const Ball
   return best ? best : absorberOf(points);
 }
 
-std::array<SurfacePoint, 3> ChartKeeper::corners(Face f) {
-  const Halfedge h = HalfedgeMesh::halfedge(f);
-  const std::array<SurfacePoint, 3> points = {mesh_.cornerPoint(h),
-                                              mesh_.cornerPoint(HalfedgeMesh::next(h)),
-                                              mesh_.cornerPoint(HalfedgeMesh::prev(h))};
-  if (!any_ || (points[0].face == points[1].face && points[0].face == points[2].face &&
-                !rules_.absorbed[points[0].face]))
-    return points;
-  std::array<Vec3, 3> places;
-  for (int k = 0; k < 3; ++k) places[k] = mesh_.surface().position(points[k]);
-  Ball ball{(places[0] + places[1] + places[2]) / 3, 0};
-  for (const Vec3& p : places) ball.radius = std::max(ball.radius, (p - ball.center).norm());
+void ChartKeeper::intoOneChart(std::span<SurfacePoint> points) {
+  const Face first = points.front().face;
+  const bool isInOneFace = std::all_of(points.begin(), points.end(),
+                                       [&](const SurfacePoint& p) { return p.face == first; });
+  if (!any_ || (isInOneFace && !rules_.absorbed[first])) return;
+  Ball ball{Vec3::Zero(), 0};
+  for (const SurfacePoint& point : points) ball.center += mesh_.surface().position(point);
+  ball.center /= double(points.size());
+  for (const SurfacePoint& point : points)
+    ball.radius = std::max(ball.radius, (mesh_.surface().position(point) - ball.center).norm());
   const Face chart = chartFor(points, ball);
-  if (!chart) return points;
+  if (!chart) return;
   collect(chart, ball);
-  return intoChart(points);
+  intoChart(points);
 }
 
 }  // namespace remesher

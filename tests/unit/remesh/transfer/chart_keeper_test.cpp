@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "mesh/mesh_builder.h"
@@ -144,7 +145,10 @@ TEST_CASE("chart_keeper: a triangle all within what is absorbed shows what is no
   ChartKeeper keeper(mesh, rules);
   for (Index f = 0; f < mesh.mesh().faceCapacity(); ++f) {
     CAPTURE(f);
-    const std::array<SurfacePoint, 3> points = keeper.corners(Face(f));
+    std::array<SurfacePoint, 3> points;
+    for (int k = 0; k < 3; ++k)
+      points[k] = mesh.cornerPoint(HalfedgeMesh::halfedge(Face(f), k));
+    keeper.intoOneChart(points);
     for (const SurfacePoint& point : points) {
       CHECK_FALSE(rules.absorbed[point.face]);
       CHECK((surface.position(point).x() < 12) == (surface.position(points[0]).x() < 12));
@@ -164,4 +168,14 @@ TEST_CASE("chart_keeper: a step too low for triangles takes its neighbour's shad
     CAPTURE(v);
     CHECK(normals->values[3 * v + 2] > 0.9F);  // the step's own is (1, 0, 0)
   }
+}
+
+TEST_CASE("chart_keeper: both halves of a quad show one chart, and share its places") {
+  const TriangleMesh input = sheetOf([](Index x) { return x / 3; });
+  RemeshOptions options;
+  options.vertices = 90;
+  options.quads = true;
+  const TriangleMesh mesh = remeshSurface(input, options, {}).mesh;
+  REQUIRE(mesh.isQuads);
+  CHECK(arePairs(mesh));
 }
