@@ -83,7 +83,7 @@ RemeshSceneResult remeshScene(std::vector<PlacedMesh> scene, const RemeshOptions
   std::vector<SceneRun> runs = region.within([&] {
     return remeshLevels(parts, Held::Apart, mending.chosen(options), stretch.part(mended, 1));
   });
-  mending.note(runs.front().report);
+  mending.note(runs.front());
   region.finish(runs);
   runs.front().report.warnings = joined(settled, runs.front().report.warnings);
   std::vector<std::vector<TriangleMesh>> levels;
@@ -154,7 +154,7 @@ RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
     else
       all = region.within(
           [&] { return remeshLevels(model.parts, heldIn(outputName), chosen, body); });
-    mending.note(all.front().report);
+    mending.note(all.front());
     thinned.note(all);
     region.finish(all);
     return all;

@@ -168,6 +168,14 @@ void Mending::note(Report& report) const {
   if (report.repair) report.repair->lost += dropped_->report.lost;
 }
 
+void Mending::note(SceneRun& run) const {
+  note(run.report);
+  if (!repair_) return;
+  std::size_t crossings = 0;
+  for (const io::Part& part : run.parts) crossings += selfIntersections(part.mesh).size();
+  run.report.repair->selfIntersections[1] = crossings;
+}
+
 RemeshOptions withPaint(RemeshOptions options, io::Model& model) {
   if (options.textures != Textures::Auto || model.conventions != io::Conventions::Gltf)
     return options;

@@ -13,6 +13,7 @@
 #include "jobs/dropping.h"
 #include "jobs/part_repair.h"
 #include "jobs/parts/part_report.h"
+#include "jobs/scene_run.h"
 
 namespace remesher {
 
@@ -39,6 +40,8 @@ class Mending {
 
   // Adds the repair to the report; the report's input is the given one, not the repaired one.
   void note(Report& report) const;
+  // The same for a remeshed result, whose self-intersections are those that the report has.
+  void note(SceneRun& run) const;
 
   // Per part given whether it is gone.
   const std::vector<char>& isGone() const { return isGone_; }
