@@ -64,6 +64,13 @@ void roundToSingle(std::vector<io::Part>& parts) {
       if (part.mesh.isSingle) p = inSingle(p, part.mesh.frame);
 }
 
+// The triangles of each part that intersect others of the same part.
+std::size_t crossingsWithin(const std::vector<io::Part>& parts) {
+  std::size_t count = 0;
+  for (const io::Part& part : parts) count += selfIntersections(part.mesh).size();
+  return count;
+}
+
 // Angles are no concern of a repair.
 std::vector<Warning> damageIn(const Report& report, const std::vector<io::Part>& result) {
   std::vector<Warning> warnings = joined(worseThanGiven({report.input, *report.output}, result),
@@ -171,9 +178,7 @@ void Mending::note(Report& report) const {
 void Mending::note(SceneRun& run) const {
   note(run.report);
   if (!repair_) return;
-  std::size_t crossings = 0;
-  for (const io::Part& part : run.parts) crossings += selfIntersections(part.mesh).size();
-  run.report.repair->selfIntersections[1] = crossings;
+  run.report.repair->selfIntersections[1] = crossingsWithin(run.parts);
 }
 
 RemeshOptions withPaint(RemeshOptions options, io::Model& model) {
@@ -199,15 +204,19 @@ RepairedParts repairOnly(std::vector<io::Part>& parts, Held held, const RemeshOp
   const std::vector<io::Part> originals = parts;
   const Mending mending(parts, options, progress, Mending::Purpose::Itself);
   const std::vector<io::Part> left = mending.kept(originals);
-  for (std::size_t i = 0; i < parts.size(); ++i)
+  bool isRounded = false;  // whether rounding moved a vertex
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const std::vector<Vec3> exact = parts[i].mesh.positions;
     parts[i].mesh = inPrecisionOf(left[i].mesh, std::move(parts[i].mesh)).mesh;
+    isRounded = isRounded || parts[i].mesh.positions != exact;
+  }
   progress.phase("measure", 1, 1);
   Report report;
   const std::vector<io::Part> shown = asHeld(parts, held);
   report.output = inspectScaled(shown);
   mending.note(report);
-  if (shown.size() < parts.size())
-    report.repair->selfIntersections[1] = selfIntersections(shown.front().mesh).size();
+  if (report.repair && (isRounded || shown.size() < parts.size()))
+    report.repair->selfIntersections[1] = crossingsWithin(shown);
   report.warnings = joined(std::move(report.warnings), damageIn(report, shown));
   for (const io::Part& part : parts)
     if (parts.size() > 1 && !isSurface(part.mesh))
