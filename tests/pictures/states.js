@@ -65,6 +65,15 @@ export const states = {
     await page.waitForTimeout(800);
     await settled(page);
   } },
+  guides: { hash: '#model=bunny', enter: async (page) => {
+    await choose(page, 'quads');
+    await click(page, '#guides');
+    await page.focus('#canvas');
+    for (const key of ['Enter', 'ArrowRight', 'ArrowRight', 'Enter']) await page.keyboard.press(key);
+    await click(page, '#pencil-finish');
+    await page.waitForTimeout(800);
+    await settled(page);
+  } },
   settings: { hash: '#model=bunny', enter: (page) => click(page, '[data-do=settings]') },
   chooser: { hash: '#model=bunny', enter: async (page) => {
     await drop(page, { 'ring.obj': ring, 'parts/second ring.off': ring });

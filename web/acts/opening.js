@@ -45,7 +45,7 @@ export function retellFacts(page) {
 /** Shows the file itself if the viewer can read it, because a conversion may lose something.
  * @param {Page} page */
 async function showOriginal(page) {
-  const { session, stage, surveying, painting } = page;
+  const { session, stage, surveying, painting, guiding } = page;
   try {
     await stage.show('original', await session.originalAsGltf('direct'));
   } catch (error) {
@@ -56,6 +56,7 @@ async function showOriginal(page) {
   showSize(page, () => showReport(page));
   await surveying.shown('original');
   painting.begin();
+  guiding.begin();
 }
 
 /** A model begins with the defaults and what an address asked for: no option of the model before

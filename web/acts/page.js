@@ -8,7 +8,9 @@ import { Session } from '../model/session.js';
 import { announce, isAbort, showError, showNews, showProgress } from '../panel/messages.js';
 import { Panel } from '../panel/panel.js';
 import { Stage } from '../view/stage.js';
+import { Guiding } from './guiding.js';
 import { Painting } from './painting.js';
+import { Pen } from './pen.js';
 import { Surveying } from './surveying.js';
 
 /** The page's state. A draft shows no progress, because it is short.
@@ -19,7 +21,9 @@ export class Page {
   stage = new Stage();
   panel;
   surveying;
+  pen;
   painting;
+  guiding;
   #jobs = 0;
   /** @type {State} */
   #state = 'idle';
@@ -30,7 +34,9 @@ export class Page {
   constructor(formActs) {
     this.panel = new Panel(byId('form', HTMLFormElement), formActs);
     this.surveying = new Surveying(this);
+    this.pen = new Pen(this);
     this.painting = new Painting(this, formActs.onStroke);
+    this.guiding = new Guiding(this, formActs.onStroke);
   }
 
   /** @param {import('remesher').ProgressEvent} event */

@@ -3,7 +3,6 @@
 // browser keeps it for the same model.
 import { addCommand } from '../base/commands.js';
 import { densityColors } from '../base/colors.js';
-import { byId } from '../base/dom.js';
 import { Setting } from '../base/memory.js';
 import {
   applyDab, areDabs, densityOf, largestLevel, levelsOf, mirrored,
@@ -12,8 +11,7 @@ import { currentBrush, hideBrush, showBrush } from '../panel/brush.js';
 import { ramp } from '../view/ramp.js';
 
 /** @typedef {import('../model/density.js').Dab} Dab */
-/** @typedef {import('./surveying.js').Desk & { surveying: import('./surveying.js').Surveying
- *   }} Desk */
+/** @typedef {import('./pen.js').Desk & { pen: import('./pen.js').Pen }} Desk */
 
 const densityColor = ramp(densityColors);
 
@@ -33,26 +31,19 @@ export class Painting {
   #levels = new Float32Array();
   /** Vertex positions in the core's order, null until needed. @type {Float32Array | null} */
   #countedAt = null;
-  #isPicking = false;
-  #isStroke = false;
+  /** Whether the stroke has put a dab. */
+  #isChanged = false;
+  /** @type {import('./pen.js').Tool} */
+  #tool = { button: 'paint',
+    put: (point) => this.#dab(point),
+    end: () => this.#endStroke(),
+    drop: () => this.#drop() };
 
   /** @param {Desk} page @param {() => void} onStroke called after each stroke */
   constructor(page, onStroke) {
     this.#page = page;
     this.#onStroke = onStroke;
-    addCommand('paint', () => this.#toggle(!this.#page.stage.isBrushing), 'p');
-    const canvas = byId('canvas', HTMLCanvasElement);
-    const at = (/** @type {PointerEvent} */ event) => ({ x: event.offsetX, y: event.offsetY });
-    canvas.addEventListener('pointerdown', (event) => {
-      if (event.button === 0) void this.#dabAt(at(event));
-    });
-    canvas.addEventListener('pointermove', (event) => {
-      if (event.buttons & 1) void this.#dabAt(at(event));
-    });
-    canvas.addEventListener('pointerup', () => this.#endStroke());
-    canvas.addEventListener('keydown', (event) => {
-      if (event.key === 'Enter') void this.#dabInTheMiddle();
-    });
+    addCommand('paint', () => this.#toggle(), 'p');
   }
 
   get dabs() {
@@ -69,7 +60,7 @@ export class Painting {
   begin() {
     this.#shownAt = this.#page.stage.viewer?.view('original')?.soup().positions ?? null;
     this.#countedAt = null;
-    this.#toggle(false);
+    this.#page.pen.take(null);
     const kept = paint.recall();
     this.set(kept?.key === this.#key ? kept?.dabs ?? [] : []);
   }
@@ -92,42 +83,27 @@ export class Painting {
     stage.setShading(stage.shading);
   }
 
-  /** @param {boolean} isOn */
-  #toggle(isOn) {
-    const { stage } = this.#page;
-    if (isOn === stage.isBrushing) return;
-    stage.setBrushing(isOn);
-    if (isOn) {
-      showBrush({ onClear: () => this.#clear(), onDone: () => this.#toggle(false) });
-      stage.setShading('density');
-      this.#showLevels();
-    } else {
-      hideBrush();
-      stage.setShading(stage.viewer?.isTextured ? 'textured' : 'plain');
+  #toggle() {
+    const { pen, stage } = this.#page;
+    if (pen.isHeld(this.#tool)) {
+      pen.take(null);
+      return;
     }
+    pen.take(this.#tool);
+    showBrush({ onClear: () => this.#clear(), onDone: () => pen.take(null) });
+    stage.setShading('density');
+    this.#showLevels();
+  }
+
+  #drop() {
+    const { stage } = this.#page;
+    hideBrush();
+    stage.setShading(stage.viewer?.isTextured ? 'textured' : 'plain');
   }
 
   #clear() {
     this.set([]);
     this.#onStroke();
-  }
-
-  /** Adds a dab, unless the last dab's place is still being found.
-   * @param {{ x: number, y: number }} at in the canvas */
-  async #dabAt(at) {
-    const { stage, surveying } = this.#page;
-    const ray = stage.isBrushing ? stage.viewer?.rayAt(at) : null;
-    if (ray?.side !== 'original' || this.#isPicking) return;
-    this.#isPicking = true;
-    const pick = await surveying.survey.ask('pick', ray);
-    this.#isPicking = false;
-    if (pick) this.#dab(pick.point);
-  }
-
-  async #dabInTheMiddle() {
-    const { clientWidth, clientHeight } = byId('canvas', HTMLCanvasElement);
-    await this.#dabAt({ x: 0.25 * clientWidth, y: 0.5 * clientHeight });
-    this.#endStroke();
   }
 
   /** @param {Dab['point']} point */
@@ -140,17 +116,13 @@ export class Painting {
       this.#dabs.push(one);
       if (this.#shownAt) applyDab(this.#levels, this.#shownAt, one);
     }
-    this.#isStroke = true;
+    this.#isChanged = true;
     this.#showLevels();
   }
 
   #endStroke() {
-    if (this.#isPicking) {  // the last dab's place is still being found
-      setTimeout(() => this.#endStroke(), 20);
-      return;
-    }
-    if (!this.#isStroke) return;
-    this.#isStroke = false;
+    if (!this.#isChanged) return;
+    this.#isChanged = false;
     this.set(this.#dabs);
     this.#onStroke();
   }

@@ -123,9 +123,10 @@ function showDistances({ surveying, panel }) {
 /** Shows a result, and then its distances from the original.
  * @param {Page} page @param {Result} result */
 async function stageResult(page, result) {
-  const { stage, surveying } = page;
+  const { stage, surveying, guiding } = page;
   await stage.show('result', { bytes: result.bytes, resources: [] });
   await surveying.shown('result', !result.number);
+  guiding.show();
   showReport(page);
   if (!result.number && stage.shading !== 'distance') return;
   void surveying.measure().then((distances) => {
@@ -151,6 +152,7 @@ async function compareWith(page, baseline) {
   if (baseline) await stage.show('baseline', { bytes: baseline.bytes, resources: [] });
   else stage.clear('baseline');
   await page.surveying.shown('baseline');
+  page.guiding.show();
   showReport(page);
 }
 
@@ -182,7 +184,8 @@ export async function remesh(page, extra = {}) {
   const { session, panel } = page;
   const values = panel.values();
   history.replaceState(null, '', writeAddress(session.source, values));
-  const more = isRepairOnly(values) ? {} : { ...extra, ...await page.painting.option() };
+  const more = isRepairOnly(values) ? {} : { ...extra, ...await page.painting.option(),
+    ...page.guiding.option() };
   const result = await session.run(values, more);
   await stageResult(page, result);
   announce(done(result.report.output));

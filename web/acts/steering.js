@@ -10,7 +10,8 @@ import { remesh } from './running.js';
 /** @typedef {import('./page.js').Page} Page */
 /** The state that undo and redo restore.
  * @typedef {{ values: import('../model/address.js').Values,
- *   dabs: import('../model/density.js').Dab[] }} State */
+ *   dabs: import('../model/density.js').Dab[],
+ *   strokes: import('../model/guides.js').Stroke[] }} State */
 
 /** Milliseconds without a change after which a slider is at rest. */
 const rest = 400;
@@ -39,8 +40,8 @@ export class Steering {
 
   /** @returns {State} */
   get #state() {
-    const { panel, painting } = /** @type {Page} */ (this.#page);
-    return { values: panel.values(), dabs: painting.dabs };
+    const { panel, painting, guiding } = /** @type {Page} */ (this.#page);
+    return { values: panel.values(), dabs: painting.dabs, strokes: guiding.strokes };
   }
 
   get #isLive() {
@@ -77,7 +78,7 @@ export class Steering {
     this.#showSteps();
   }
 
-  /** A brush stroke has ended. */
+  /** A stroke of the brush or the pencil has ended. */
   stroke() {
     this.settle();
     this.move();
@@ -112,6 +113,7 @@ export class Steering {
     this.stop();
     page.panel.setValues(state.values);
     page.painting.set(state.dabs);
+    page.guiding.set(state.strokes);
     if (this.#isLive) void page.busy(() => remesh(page));
   }
 

@@ -16,7 +16,8 @@ export const valenceColors = { three: '#1c7ed6', five: '#e8590c', other: '#ae3ec
 
 /** Lines drawn over the surfaces. */
 export const lineColors = { features: '#e8590c', boundary: '#1971c2', nonManifold: '#c2255c',
-  flipped: '#9c36b5', probe: '#111111', field: '#0b7285' };
+  flipped: '#9c36b5', probe: '#111111', field: '#0b7285', direction: '#6741d9', loop: '#d6336c',
+  drawn: '#111111' };
 
 /** @param {readonly string[]} colors as CSS wants a gradient of them */
 export const gradient = (colors) => `linear-gradient(to right, ${colors.join(', ')})`;

@@ -3,8 +3,9 @@
 import { optionTable, repairNames } from 'remesher/options';
 import { isRepairOnly, optionsIn } from './purposes.js';
 
-/** output: the name of the file that the run writes.
- * @typedef {{ input: string, output: string, values: import('./address.js').Values }} Run */
+/** output: the name of the file that the run writes; guides: of the file with guides, if any.
+ * @typedef {{ input: string, output: string, guides?: string,
+ *   values: import('./address.js').Values }} Run */
 
 /** A file's name, quoted for a shell. @param {string} name */
 const quoted = (name) => (/^[\w.-]+$/.test(name) ? name : `'${name.replaceAll("'", "'\\''")}'`);
@@ -14,14 +15,15 @@ const optionsOf = (values) => Object.entries(optionsIn(values)).filter(([name]) 
   !isRepairOnly(values) || repairNames.some((own) => own === name));
 
 /** The same run on the command line. @param {Run} run */
-export function commandLine({ input, output, values }) {
+export function commandLine({ input, output, guides, values }) {
   const given = optionsOf(values).filter(([, value]) => value !== false);
   const flags = given.map(([name, value]) => {
     const flag = optionTable.find((option) => option.name === name)?.flag?.split(' ')[0];
     return value === true ? flag : `${flag} ${value}`;
   });
   const command = `npx remesher${isRepairOnly(values) ? ' repair' : ''}`;
-  return [command, quoted(input), '-o', quoted(output), ...flags].join(' ');
+  const lines = guides ? ['--guides', quoted(guides)] : [];
+  return [command, quoted(input), '-o', quoted(output), ...flags, ...lines].join(' ');
 }
 
 /** A word as JavaScript writes it. @param {string | number | boolean} value */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The four purposes, of which the visitor chooses one, and the one number that each has.
 import { element } from '../base/dom.js';
+import { count } from '../base/format.js';
 import { t } from '../base/i18n.js';
 import {
   dialOf, firstDial, isRepairOnly, measured, purposes, rangeOf, valuesFor,
@@ -28,6 +29,10 @@ export class Doors {
     step: sliderStep });
   #dial = element('div', { className: 'dial', hidden: true });
   #works = element('div', { className: 'works', role: 'radiogroup', hidden: true });
+  #guides = element('button', { type: 'button', className: 'chip', id: 'guides', 'data-do': 'guide',
+    'aria-pressed': 'false' });
+  #lines = element('div', { className: 'lines', hidden: true });
+  #guideCount = 0;
   view = element('div', { className: 'purposes' });
 
   /** @param {{ onChoose: (values: Values) => void, onDial: (values: Values) => void }} acts
@@ -63,8 +68,11 @@ export class Doors {
     }));
     this.#slider.ariaLabel = t('dial.slider');
     this.#dial.replaceChildren(this.#label, this.#number, this.#slider);
+    this.setGuides(this.#guideCount);
+    this.#lines.replaceChildren(this.#guides,
+      element('p', { className: 'help' }, t('guides.help')));
     this.view.replaceChildren(element('h2', {}, t('purposes')), this.#doors, this.#about,
-      this.#works, this.#dial);
+      this.#works, this.#dial, this.#lines);
     this.show(this.#values);
   }
 
@@ -73,6 +81,12 @@ export class Doors {
     this.#subject = subject;
     this.#unit = unit;
     this.build();
+  }
+
+  /** @param {number} total of the guides drawn on the model */
+  setGuides(total) {
+    this.#guideCount = total;
+    this.#guides.textContent = total ? t('guides.some', { count: count(total) }) : t('guides');
   }
 
   /** Shows the purpose, the work and the number of these options. @param {Values} values */
@@ -85,6 +99,7 @@ export class Doors {
     }
     this.#about.textContent = t(purpose ? `purpose.${purpose}.about` : 'purpose.none');
     this.#works.hidden = purpose !== 'print';
+    this.#lines.hidden = !values.quads;
     this.#dial.hidden = !purpose;
     if (!purpose || !this.#subject) return;
     const isOnly = isRepairOnly(values);

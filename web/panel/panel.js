@@ -337,6 +337,11 @@ export class Panel {
     this.#button.disabled = false;
   }
 
+  /** @param {number} count of the guides drawn on the model */
+  setGuides(count) {
+    this.#doors.setGuides(count);
+  }
+
   /** What is known of the model, of which the purposes make their numbers.
    * @param {import('../model/purposes.js').Subject} subject isPaintable: whether new textures can
    *   be painted from it @param {string} unit of lengths */

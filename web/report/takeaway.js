@@ -4,12 +4,14 @@
 import { formats } from 'remesher/formats';
 import { element } from '../base/dom.js';
 import { t } from '../base/i18n.js';
+import { objOf } from '../model/guides.js';
 import { commandLine, javaScript } from '../model/snippets.js';
 
 /** @typedef {import('../model/session.js').Session} Session */
 /** @typedef {import('../model/result.js').Result} Result */
 /** @typedef {{ onFormat: (format: string) => void, onLevels: () => void, onReport: () => void,
- *   onPicture: (hasBackground: boolean) => void, onCopy: (text: string) => void }} SavingActs */
+ *   onPicture: (hasBackground: boolean) => void, onCopy: (text: string) => void,
+ *   onFile: (file: import('remesher').NamedBytes) => void }} SavingActs */
 
 /** @param {string} label @param {() => void} onclick @param {string} [className] */
 const button = (label, onclick, className = '') =>
@@ -27,10 +29,20 @@ function snippet(label, text, onCopy) {
     element('code', { tabIndex: 0 }, text));
 }
 
+/** What the command needs beside the model: the lines that were drawn on it.
+ * @param {{ name: string, lines: readonly import('remesher').Guide[] }} guides
+ * @param {SavingActs} acts */
+const guidesNote = ({ name, lines }, { onFile }) =>
+  element('p', { className: 'notice', id: 'guides-note' }, t('elsewhere.guides'), ' ',
+    button(t('elsewhere.saveGuides', { name }), () =>
+      onFile({ name, bytes: new TextEncoder().encode(objOf(lines)) }), 'link'));
+
 /** @param {Session} session @param {Result} result @param {SavingActs} acts */
 export function takeawayView({ model }, result, acts) {
   const { options, values } = result;
-  const run = { input: model?.name ?? '', output: result.ownName, values };
+  const lines = /** @type {import('remesher').Guide[] | undefined} */ (options.guides);
+  const guides = lines && 'guides.obj';
+  const run = { input: model?.name ?? '', output: result.ownName, guides, values };
   return element('section', { className: 'takeaway', 'aria-label': t('download') },
     element('h2', {}, t('download.others')),
     element('div', { className: 'downloads', role: 'group', 'aria-label': t('download') },
@@ -42,6 +54,7 @@ export function takeawayView({ model }, result, acts) {
       element('summary', {}, t('elsewhere')),
       options.density && element('p', { className: 'notice', id: 'no-density' },
         t('elsewhere.noDensity')),
+      lines && guides && guidesNote({ name: guides, lines }, acts),
       snippet(t('elsewhere.command'), commandLine(run), acts.onCopy),
       snippet('JavaScript', javaScript(run), acts.onCopy),
       snippet(t('elsewhere.link'), location.href, acts.onCopy)));

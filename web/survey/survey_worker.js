@@ -4,6 +4,7 @@ import { irregularVertices } from './irregular.js';
 import { linesOf } from './lines.js';
 import { offVertices } from './off.js';
 import { pick } from './picking.js';
+import { ringOf } from './ring.js';
 import { strokesOf } from './strokes.js';
 import { measureDistances, Surface } from './surface.js';
 
@@ -42,6 +43,8 @@ const questions = {
   },
   /** @param {{ side: Side, point: Point, wished: Point }} request */
   viewOf: ({ side, point, wished }) => surfaces[side]?.viewOf(point, wished) ?? wished,
+  /** @param {{ through: Point, normal: Point }} plane that cuts the original */
+  ring: (plane) => (surfaces.original ? ringOf(surfaces.original.soup, plane) : null),
   offVertices,
 };
 

@@ -393,4 +393,22 @@ export default {
   'phase.mend': 'Reparieren',
   'purpose.asset.about': 'Weniger Dreiecke, die gleich aussehen; das Modell bekommt neue '
     + 'Texturen, wo es welche hat.',
+  'guides': 'Führungslinien zeichnen',
+  'guides.some': 'Führungslinien: {count}. Zeichnen',
+  'guides.help': 'Linien auf dem Modell, denen die Vierecke folgen.',
+  'pencil': 'Führungslinien',
+  'pencil.direction': 'Richtung',
+  'pencil.loop': 'Kantenring',
+  'pencil.erase': 'Löschen',
+  'pencil.direction.help': 'Auf dem Modell zeichnen: Vierecke liegen entlang der Linie. Die '
+    + 'rechte Taste oder zwei Finger drehen es; Enter setzt einen Punkt in die Mitte.',
+  'pencil.loop.help': 'Quer über ein Glied zeichnen: der Ring darum wird zu Seiten von '
+    + 'Vierecken. Um ein Auge ganz herum zeichnen.',
+  'pencil.erase.help': 'Über eine Linie fahren, um sie zu entfernen.',
+  'pencil.finish': 'Linie beenden',
+  'pencil.noRing': 'Die Fläche ist dort offen, also schließt sich kein Ring: die Linie ist eine '
+    + 'Richtung.',
+  'key.guide': 'Führungslinien für Vierecke zeichnen',
+  'elsewhere.guides': 'Der Befehl liest die Führungslinien aus einer Datei neben dem Modell.',
+  'elsewhere.saveGuides': '{name} sichern',
 };

@@ -403,4 +403,21 @@ export default {
   'phase.mend': 'Repairing',
   'purpose.asset.about': 'Fewer triangles that look the same; the model gets new textures where '
     + 'it has any.',
+  'guides': 'Draw guides',
+  'guides.some': 'Guides: {count}. Draw',
+  'guides.help': 'Lines on the model that quads follow.',
+  'pencil': 'Guides',
+  'pencil.direction': 'Direction',
+  'pencil.loop': 'Edge loop',
+  'pencil.erase': 'Erase',
+  'pencil.direction.help': 'Draw on the model: quads lie along the line. The right button or two '
+    + 'fingers turn it; Enter adds a point in the middle.',
+  'pencil.loop.help': 'Draw across a limb: the ring round it becomes sides of quads. Round an '
+    + 'eye, draw all of it.',
+  'pencil.erase.help': 'Go over a line to remove it.',
+  'pencil.finish': 'End line',
+  'pencil.noRing': 'The surface is open there, so no ring closes: the line is a direction.',
+  'key.guide': 'Draw guides for quads',
+  'elsewhere.guides': 'The command takes the guides from a file beside the model.',
+  'elsewhere.saveGuides': 'Save {name}',
 };

@@ -395,4 +395,22 @@ export default {
   'repair.islands': '{count} petits morceaux isolés retirés',
   'purpose.asset.about': 'Moins de triangles, le même aspect ; le modèle reçoit de nouvelles '
     + 'textures s’il en a.',
+  'guides': 'Tracer des guides',
+  'guides.some': 'Guides : {count}. Tracer',
+  'guides.help': 'Des lignes sur le modèle que les quads suivent.',
+  'pencil': 'Lignes guides',
+  'pencil.direction': 'Direction',
+  'pencil.loop': 'Boucle d’arêtes',
+  'pencil.erase': 'Effacer',
+  'pencil.direction.help': 'Tracez sur le modèle : les quads suivent la ligne. Le bouton droit '
+    + 'ou deux doigts le tournent ; Entrée ajoute un point au milieu.',
+  'pencil.loop.help': 'Tracez en travers d’un membre : l’anneau autour devient des côtés de '
+    + 'quads. Autour d’un œil, tracez-le en entier.',
+  'pencil.erase.help': 'Passez sur une ligne pour l’enlever.',
+  'pencil.finish': 'Finir la ligne',
+  'pencil.noRing': 'La surface y est ouverte, aucun anneau ne se ferme : la ligne est une '
+    + 'direction.',
+  'key.guide': 'Tracer des guides pour les quads',
+  'elsewhere.guides': 'La commande lit les guides dans un fichier à côté du modèle.',
+  'elsewhere.saveGuides': 'Enregistrer {name}',
 };

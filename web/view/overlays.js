@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Lines, dots and a mark over a surface: feature curves, borders, the triangle under the pointer,
-// the field and the irregular vertices of quads, the place of the largest distance.
+// the field, the guides and the irregular vertices of quads, the place of the largest distance.
 import {
   BufferAttribute, BufferGeometry, CanvasTexture, Color, Group, Points, PointsMaterial, Sprite,
   SpriteMaterial,
@@ -13,7 +13,7 @@ import { lineColors, valenceColors } from '../base/colors.js';
 /** @typedef {keyof typeof lineColors} LineKind */
 
 /** In pixels; the strokes of a field are many. @param {LineKind} kind */
-const widthOf = (kind) => (kind === 'field' ? 1.5 : 3);
+const widthOf = (kind) => ({ field: 1.5, direction: 4, loop: 4, drawn: 4 }[kind] ?? 3);
 
 /** The mark's picture: a ring. */
 function ring() {

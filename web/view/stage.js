@@ -32,7 +32,7 @@ export class Stage {
   origin = new Vector3();
   /** Called after the shading has changed. */
   onShading = () => {};
-  /** Whether the pointer paints, instead of turning the model. */
+  /** Whether the pointer paints or draws, instead of turning the model. */
   isBrushing = false;
   #root = byId('stage', HTMLElement);
   #wireframe = byId('wireframe', HTMLButtonElement);
@@ -128,8 +128,12 @@ export class Stage {
   setBrushing(isOn) {
     this.isBrushing = isOn;
     this.#root.classList.toggle('brushing', isOn);
-    byId('paint', HTMLButtonElement).setAttribute('aria-pressed', String(isOn));
     this.viewer?.eye.setTurning(!isOn);
+  }
+
+  /** On a phone the stage may have been scrolled away. */
+  bringIntoView() {
+    this.#root.scrollIntoView({ block: 'nearest' });
   }
 
   get shading() {

@@ -174,6 +174,12 @@ export class Viewer {
     return { side, origin: camera.position.toArray(), direction: direction.toArray() };
   }
 
+  /** The middle of the left pane, in CSS pixels of the canvas. */
+  get middle() {
+    const [{ pane }] = this.#panes();
+    return { x: pane.x + pane.width / 2, y: this.#canvas.clientHeight / 2 };
+  }
+
   /** A copy of the canvas, `scale` times as large.
    * @param {number} scale */
   picture(scale) {
