@@ -77,6 +77,8 @@ test('a 3MF states the unit that was said', async () => {
     assert.equal((await inspect(bytes, { name: 'a.3mf' })).unit, units);
     const again = await repairFile(bytes, { name: 'a.3mf', worker: false });
     assert.deepEqual(again.bytes, bytes);
+    const converted = await convertFile(off, { name: 'a.off', output: '3mf', units });
+    assert.equal((await inspect(converted.bytes, { name: 'a.3mf' })).unit, units);
   }
 });
 

@@ -5,9 +5,11 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
+import { strFromU8, unzipSync } from 'fflate';
+
 import { barriers } from '../support/barriers.js';
 import { overlappingBoxes } from '../support/broken_shapes.js';
-import { drop, opened, settled, visit } from '../support/browser_page.js';
+import { drop, opened, saved, settled, visit } from '../support/browser_page.js';
 import { download, eachPurpose, ring, said, verdict } from '../support/doors.js';
 import { placesOf } from '../support/mesh_files.js';
 import { glbBytes, torus } from '../support/shape_files.js';
@@ -72,6 +74,20 @@ test('a unit is kept with the model, and numbers follow it; glTF is metres', asy
   await page.click('#purpose-simulation');
   assert.match(await page.textContent('.dial label'), /, in$/);
   assert.match(await verdict(page), / in \(/);
+  // Experts see lengths in the same unit, and percentages as lengths, too.
+  assert.match(await page.textContent('#target-kind option[value=edgeLength]'), /, in$/);
+  assert.equal(await page.textContent('label[for=option-maxEdge] .unit'), ', in');
+  assert.match(await page.textContent('label[for=option-maxError] .unit'), /; 1 % = 0\.0808 in$/);
+  await page.click('#expert > summary');
+  await page.click('.command > summary');
+  assert.match(await page.textContent('.command code >> nth=0'), / --units in$/);
+  const written = await saved(page, '.takeaway button:text-is("3MF")');
+  assert.match(strFromU8(unzipSync(written.bytes)['3D/3dmodel.model']), / unit="inch"/);
+  await settled(page);
+  await page.click('#expert > summary');
+  await drop(page, { 'inches.3mf': written.bytes });
+  await opened(page, 'inches.3mf');
+  assert.equal(await page.inputValue('#unit'), 'in', 'the file says so');
   await drop(page, { 'small.glb': glbBytes(torus(24, 12)) });
   await opened(page, 'small.glb');
   assert.match(await page.textContent('#model-size'), / m$/);

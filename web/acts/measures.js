@@ -4,16 +4,23 @@ import { byId, element } from '../base/dom.js';
 import { length } from '../base/format.js';
 import { t } from '../base/i18n.js';
 import { hasManySeams } from '../model/seams.js';
-import { keepUnit, scaleOf, unitOf, units } from '../model/units.js';
+import { keepUnit, saidUnit, scaleOf, unitOf, units } from '../model/units.js';
 
 /** @typedef {import('./page.js').Page} Page */
 /** @typedef {import('../model/units.js').Unit} Unit */
 
 /** How lengths of the model are said. @param {Page} page */
 export function scaleIn({ session, surveying }) {
-  const { model } = session;
-  const unit = !model || session.isGltf ? null : unitOf(model);
+  const { model, inspection } = session;
+  const unit = !model || session.isGltf ? null : unitOf(model, inspection?.unit);
   return scaleOf(unit, surveying.diagonal);
+}
+
+/** The option `units`, where the visitor has said the unit: a 3MF that is written states it.
+ * @param {Page} page @returns {{ units?: Unit }} */
+export function unitOption({ session: { model, isGltf } }) {
+  const unit = model && !isGltf ? saidUnit(model) : undefined;
+  return unit ? { units: unit } : {};
 }
 
 /** Gives the purposes what they make their numbers of. @param {Page} page */
@@ -24,7 +31,7 @@ function tellPanel(page) {
   const { vertices = 0, triangles = 0 } = inspection?.input ?? {};
   const isBaked = isGltf && model !== null && hasManySeams(model.bytes, vertices);
   panel.setSubject({ triangles, diagonal: surveying.diagonal, unit: size, isBaked,
-    isPaintable: isGltf || isTextured }, name);
+    isPaintable: isGltf || isTextured }, { ofDial: name, ofModel: isGltf ? 'm' : name });
 }
 
 /** Shows how large the model is, with a choice of the unit where the format has none.
@@ -38,7 +45,7 @@ export function showSize(page, onUnit) {
   const { name, size } = scaleIn(page);
   const sides = extent.toArray().map((side) => length(side / size)).join(' × ');
   const menu = element('select', { id: 'unit', ariaLabel: t('unit') },
-    ...units.map((unit) => element('option', { value: unit }, unit)));
+    ...[...new Set([...units, name])].map((unit) => element('option', { value: unit }, unit)));
   menu.value = name;
   menu.addEventListener('change', () => {
     keepUnit(model, /** @type {Unit} */ (menu.value));

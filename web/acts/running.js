@@ -15,7 +15,7 @@ import { isRepairOnly } from '../model/purposes.js';
 import { reportView } from '../report/report_view.js';
 import { takeawayView } from '../report/takeaway.js';
 import { verdictView } from '../report/verdict.js';
-import { scaleIn } from './measures.js';
+import { scaleIn, unitOption } from './measures.js';
 import { downloadFormat, downloadLabel, savingActs } from './saving.js';
 
 /** @typedef {import('./page.js').Page} Page */
@@ -186,7 +186,7 @@ export async function remesh(page, extra = {}) {
   history.replaceState(null, '', writeAddress(session.source, values));
   const more = isRepairOnly(values) ? {} : { ...extra, ...await page.painting.option(),
     ...page.guiding.option() };
-  const result = await session.run(values, more);
+  const result = await session.run(values, { ...unitOption(page), ...more });
   await stageResult(page, result);
   announce(done(result.report.output));
 }

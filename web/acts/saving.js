@@ -9,6 +9,7 @@ import { packed } from '../files/archives.js';
 import { extensionOf } from '../files/files.js';
 import { download } from '../panel/downloads.js';
 import { announce, showNews } from '../panel/messages.js';
+import { unitOption } from './measures.js';
 
 /** @typedef {import('./page.js').Page} Page */
 /** @typedef {import('../files/files.js').NamedBytes} NamedBytes */
@@ -58,7 +59,8 @@ function roundingOf({ stage, surveying }, format) {
  * @param {Page} page @param {Result} result @param {string} format */
 async function saveAs(page, result, format) {
   const { session } = page;
-  const { files, losses, warnings } = await session.filesIn(result, format);
+  const { files, losses, warnings } =
+    await session.filesIn(result, format, unitOption(page));
   const name = await hand(files, result.nameIn('zip'));
   const lacks = [
     ...losses.map(({ kind, count: total }) =>

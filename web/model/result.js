@@ -14,6 +14,7 @@ import { isRepairOnly, optionsIn } from './purposes.js';
 /** @typedef {import('../files/models.js').Model} Model */
 /** @typedef {import('./address.js').Values} Values */
 /** @typedef {import('remesher').RemeshOptions} RemeshOptions */
+/** @typedef {import('remesher').ConvertOptions} ConvertOptions */
 /** @typedef {import('./names.js').Report} Report */
 /** @typedef {import('remesher').NamedBytes} NamedBytes */
 /** @typedef {import('remesher').Warning} Warning */
@@ -119,32 +120,33 @@ export class Result {
     return this.nameIn(this.#format === 'gltf' ? 'glb' : this.#format);
   }
 
-  /** The files in a format. @param {string} format
+  /** The files in a format. @param {string} format @param {ConvertOptions} how
    * @param {() => AbortSignal} begin called if the files are yet to be made
    * @returns {Promise<Saved>} */
-  async filesIn(format, begin) {
-    const { files, warnings } = await this.#converted(format, begin);
+  async filesIn(format, how, begin) {
+    const { files, warnings } = await this.#converted(format, how, begin);
     const losses = format === this.#format ? [] : lossesIn(openGlb(this.bytes).tree, format);
     return { files, warnings: warnings.filter(({ code }) => code !== 'PARTS_MERGED'), losses };
   }
 
-  /** @param {string} format @param {() => AbortSignal} begin
+  /** @param {string} format @param {ConvertOptions} how @param {() => AbortSignal} begin
    * @returns {Promise<{ files: NamedBytes[], warnings: Warning[] }>} */
-  async #converted(format, begin) {
+  async #converted(format, how, begin) {
     const name = this.nameIn(format);
     if (format === this.#format) {
       const [first, ...others] = this.#written;
       return { files: [{ name, bytes: first.bytes }, ...others], warnings: [] };
     }
     if (format === 'glb') return { files: [{ name, bytes: this.bytes }], warnings: [] };
-    return convertWritten(this.#written, name, begin());
+    return convertWritten(this.#written, { ...how, output: name, signal: begin() });
   }
 }
 
 /** @param {NamedBytes[]} written a file and those that it refers to
- * @param {string} output a name or a format @param {AbortSignal} signal */
-function convertWritten([first, ...resources], output, signal) {
-  return convertFile(first.bytes, { ...describe({ ...first, resources }), output, signal });
+ * @param {ConvertOptions & { output: string, signal: AbortSignal }} how output: a name or a
+ *   format */
+function convertWritten([first, ...resources], how) {
+  return convertFile(first.bytes, { ...describe({ ...first, resources }), ...how });
 }
 
 /** What repair takes of some options. @param {RemeshOptions} options */
@@ -176,6 +178,6 @@ export async function resultOf(model, { values, extra }, watch) {
   const { files, report } = await worked(model, values,
     { ...options, output: format, ...watch });
   const shown = format === 'glb' ? files[0].bytes
-    : (await convertWritten(files, 'glb', watch.signal)).bytes;
+    : (await convertWritten(files, { output: 'glb', signal: watch.signal })).bytes;
   return new Result(model.name, { values, options, report }, { written: files, shown });
 }

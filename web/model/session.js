@@ -157,9 +157,10 @@ export class Session {
     if (this.baseline && !this.results.includes(this.baseline)) this.baseline = null;
   }
 
-  /** The files of a result in a format. @param {Result} result @param {string} format */
-  async filesIn(result, format) {
-    const saved = await result.filesIn(format, () => this.#begin());
+  /** The files of a result in a format. @param {Result} result @param {string} format
+   * @param {import('remesher').ConvertOptions} [how] */
+  async filesIn(result, format, how = {}) {
+    const saved = await result.filesIn(format, how, () => this.#begin());
     if (result === this.shown) this.isUnsaved = false;
     return saved;
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The unit of a model's lengths. glTF is in metres; of other formats the visitor says it, and the
-// browser keeps it with the model.
+// The unit of a model's lengths. glTF is in metres, 3MF states its unit; of other formats the
+// visitor says it, and the browser keeps it with the model.
 import { Setting } from '../base/memory.js';
 
 /** @typedef {'mm' | 'cm' | 'm' | 'in'} Unit */
@@ -27,10 +27,15 @@ const kept = new Setting('units', (text) => {
 /** @param {Named} model */
 const keyOf = ({ name, bytes }) => `${name.slice(0, 200)} ${bytes.length}`;
 
-/** The unit kept for a model; millimetres if none is. @param {Named} model @returns {Unit} */
-export function unitOf(model) {
-  return kept.recall()?.find(([key]) => key === keyOf(model))?.[1] ?? 'mm';
+/** The unit that the visitor has said of a model.
+ * @param {Named} model @returns {Unit | undefined} */
+export function saidUnit(model) {
+  return kept.recall()?.find(([key]) => key === keyOf(model))?.[1];
 }
+
+/** The unit of a model: as the visitor said, or as its file states; millimetres if neither does.
+ * @param {Named} model @param {string} [stated] @returns {string} */
+export const unitOf = (model, stated) => saidUnit(model) ?? stated ?? 'mm';
 
 /** @param {Named} model @param {Unit} unit */
 export function keepUnit(model, unit) {
@@ -39,13 +44,13 @@ export function keepUnit(model, unit) {
 }
 
 /** A unit for people: its name, and how many of the model's units it has.
- * @typedef {{ name: Unit, size: number }} Scale */
+ * @typedef {{ name: string, size: number }} Scale */
 
 /** Metres above which a glTF model is spoken of in metres, below which in millimetres. */
 const large = 5;
 
 /** How lengths of a model are said.
- * @param {Unit | null} unit of the model; null: it is glTF @param {number} diagonal
+ * @param {string | null} unit of the model; null: it is glTF @param {number} diagonal
  * @returns {Scale} */
 export function scaleOf(unit, diagonal) {
   if (unit) return { name: unit, size: 1 };

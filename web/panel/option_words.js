@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Names and explanations of options in the visitor's language, else the package's English ones.
 import { optionTable, targetNames } from 'remesher/options';
-import { sentence, words } from '../base/format.js';
+import { length, sentence, words } from '../base/format.js';
 import { textIfAny } from '../base/i18n.js';
 import { isRepairOnly } from '../model/purposes.js';
 
@@ -25,8 +25,16 @@ const namedHere = (text) => text.replace(/--[a-z][a-z-]*/g, (flag) => {
 /** @param {Option} option @param {string} choice */
 export const choiceName = ({ name }, choice) => textIfAny(`choice.${name}.${choice}`) ?? choice;
 
-/** @param {Option} option */
-export const optionUnit = ({ unit }) => unit && (textIfAny(`unit.${unit}`) ?? unit);
+/** The unit of a model's lengths, and its diagonal.
+ * @typedef {{ unit: string, diagonal: number }} Lengths */
+
+/** @param {Option} option @param {Lengths} [lengths] where they are known */
+export function optionUnit({ unit }, lengths) {
+  if (lengths && unit === 'model units') return lengths.unit;
+  const own = unit && (textIfAny(`unit.${unit}`) ?? unit);
+  if (!lengths || unit !== '% of the diagonal') return own;
+  return `${own}; 1 % = ${length(lengths.diagonal / 100)} ${lengths.unit}`;
+}
 
 /** The purpose and the chosen options except the target, in one line.
  * @param {import('../model/address.js').Values} values */

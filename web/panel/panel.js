@@ -123,6 +123,9 @@ export class Panel {
   #asked = element('p', { id: 'asked', className: 'help' });
   /** The target and the texture options that no purpose has set. @type {Values} */
   #own = {};
+  /** The unit and the size of the model, once they are known.
+   * @type {import('./option_words.js').Lengths | undefined} */
+  #lengths;
   /** Whether the result is updated while options change. */
   #live = element('input', { id: 'live', type: 'checkbox', checked: true });
   #acts;
@@ -183,6 +186,7 @@ export class Panel {
     this.#form.replaceChildren(this.#doors.view, this.#button);
     this.#options.replaceChildren(this.#target.view, this.#presets(), this.#textures,
       this.#repair, this.#moreOptions(others), live);
+    this.#showUnits();
     this.setValues(values);
   }
 
@@ -344,11 +348,22 @@ export class Panel {
 
   /** What is known of the model, of which the purposes make their numbers.
    * @param {import('../model/purposes.js').Subject} subject isPaintable: whether new textures can
-   *   be painted from it @param {string} unit of lengths */
-  setSubject(subject, unit) {
-    this.#doors.setSubject(subject, unit);
+   *   be painted from it @param {{ ofDial: string, ofModel: string }} units of lengths */
+  setSubject(subject, { ofDial, ofModel }) {
+    this.#doors.setSubject(subject, ofDial);
+    this.#lengths = { unit: ofModel, diagonal: subject.diagonal };
+    this.#showUnits();
     this.#setPaintable(subject.isPaintable);
     this.#doors.show(this.values());
+  }
+
+  /** Says lengths in the model's unit, and percentages of its diagonal as lengths, too. */
+  #showUnits() {
+    this.#target.setUnit(this.#lengths?.unit ?? '');
+    for (const { option, control } of this.#fields) {
+      const unit = control.closest('.field')?.querySelector('.unit');
+      if (unit) unit.textContent = `, ${optionUnit(option, this.#lengths)}`;
+    }
   }
 
   /** @param {boolean} isPaintable */

@@ -32,12 +32,14 @@ export class TargetField {
   #isExact = true;
   /** The page's own choice of more vertices than the input has; 0: none. */
   #enough = 0;
-  #kind = element('select');
+  #kind = element('select', { id: 'target-kind' });
   #number = element('input', { id: 'target', type: 'number', min: '0', step: 'any',
     'aria-describedby': 'target-hint' });
   #slider = element('input', { id: 'target-slider', type: 'range', min: '0', max: '1',
     step: '0.002' });
   #hint = element('p', { className: 'help', id: 'target-hint' });
+  /** The unit of lengths, if known. */
+  #unit = '';
   /** The field's elements, to be placed above the rest of the form. */
   view = element('div', { className: 'target' },
     element('div', { className: 'target-line' }, this.#kind, this.#number),
@@ -58,12 +60,19 @@ export class TargetField {
     const { value } = this.#kind;
     const rows = optionTable.filter(({ name }) => TargetField.names.includes(name));
     this.#kind.replaceChildren(...rows.map((option) =>
-      element('option', { value: option.name }, optionName(option))));
+      element('option', { value: option.name }, option.unit && this.#unit
+        ? `${optionName(option)}, ${this.#unit}` : optionName(option))));
     this.#kind.value = value || 'vertices';
     this.#kind.ariaLabel = t('target');
     this.#number.ariaLabel = t('target.value');
     this.#slider.ariaLabel = t('target.slider');
     this.#show();
+  }
+
+  /** @param {string} unit of lengths */
+  setUnit(unit) {
+    this.#unit = unit;
+    this.build();
   }
 
   get #isVertices() {

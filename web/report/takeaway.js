@@ -42,7 +42,9 @@ export function takeawayView({ model }, result, acts) {
   const { options, values } = result;
   const lines = /** @type {import('remesher').Guide[] | undefined} */ (options.guides);
   const guides = lines && 'guides.obj';
-  const run = { input: model?.name ?? '', output: result.ownName, guides, values };
+  const { units } = options;
+  const run = { input: model?.name ?? '', output: result.ownName, guides,
+    values: { ...values, ...(units && { units }) } };
   return element('section', { className: 'takeaway', 'aria-label': t('download') },
     element('h2', {}, t('download.others')),
     element('div', { className: 'downloads', role: 'group', 'aria-label': t('download') },

@@ -8,7 +8,9 @@ import {
   buffersOf, copyMesh, copyOperands, fileBuffers, fileRequest, isBytes,
 } from './inputs.js';
 import { legible } from '../base/legible.js';
-import { bakeNames, checkOptions, checkOwn, checkRepair, unwrapNames } from '../base/options.js';
+import {
+  bakeNames, checkOptions, checkOwn, checkRepair, convertNames, unwrapNames,
+} from '../base/options.js';
 
 /**
  * @import { AtlasReport, BooleanOperation, BooleanReport, FileRequest, Inspection, Mesh,
@@ -58,7 +60,7 @@ import { bakeNames, checkOptions, checkOwn, checkRepair, unwrapNames } from '../
  * @property {import('../base/messages.js').Compression} [compression] If it was asked for.
  */
 
-/** @typedef {Pick<RemeshOptions, 'compress'>} ConvertOptions */
+/** @typedef {Pick<RemeshOptions, 'compress' | 'units'>} ConvertOptions */
 
 /**
  * @typedef {Omit<ConvertFileResult, 'warnings' | 'compression'> & Pick<RemeshResult, 'report'>}
@@ -313,8 +315,9 @@ export class Api extends ArraysApi {
    * @returns {Promise<ConvertFileResult>}
    */
   async convertFile(bytes, options = {}) {
-    refuseOthers(options, [...runNames, ...fileNames, 'output', 'compress']);
-    const checked = checkOptions({ compress: options.compress });
+    refuseOthers(options, [...runNames, ...fileNames, 'output', ...convertNames]);
+    const checked = checkOptions(Object.fromEntries(convertNames.map((name) =>
+      [name, options[name]])));
     const file = await fileRequest(bytes, options);
     const { files, warnings, compression } = await this.#client.run(
       { kind: 'convertFile', file, options: checked }, fileBuffers(file), options);

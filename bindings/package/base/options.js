@@ -14,7 +14,9 @@ import { canonical, checkValue, inWords, isLength } from './option_values.js';
 import { presets, withPreset } from './presets.js';
 
 export { presets } from './presets.js';
-export { bakeNames, repairNames, targetNames, unwrapNames } from './option_lists.js';
+export {
+  bakeNames, convertNames, repairNames, targetNames, unwrapNames,
+} from './option_lists.js';
 export { checkValue, rangeInWords } from './option_values.js';
 
 /** @typedef {import('./presets.js').Preset} Preset */

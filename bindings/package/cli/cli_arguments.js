@@ -9,7 +9,8 @@ import { legible } from '../base/legible.js';
 import { lengthFrom, pixelsFrom, takesLength } from '../base/lengths.js';
 import { isFolder } from './plan.js';
 import {
-  bakeNames, checkOptions, checkOwn, checkValue, defaultInWords, nearest, optionTable, repairNames,
+  bakeNames, checkOptions, checkOwn, checkValue, convertNames, defaultInWords, nearest,
+  optionTable, repairNames,
   unwrapNames,
 } from '../base/options.js';
 
@@ -250,7 +251,7 @@ function checkOutput(line) {
       + 'there.');
   }
   const unfit = optionTable.find(({ name }) => line.options[name] !== undefined
-    && !(name === 'compress' && line.command === 'convert'));
+    && !(line.command === 'convert' && convertNames.some((own) => own === name)));
   if (unfit && (line.command === 'convert' || line.command === 'inspect')) {
     throw wrongUse(`remesher ${line.command} changes no triangles: ${flagOf(unfit)} does not `
       + 'belong there.');

@@ -89,7 +89,7 @@ const takes = {
     nameLow: "'b.obj'", resourcesLow: '{}' }],
   unwrap: [mesh, { textureSize: ofTable.textureSize, ...ofRun }],
   unwrapFile: [bytes, { textureSize: ofTable.textureSize, ...ofRun, ...ofFile, ...ofOutput }],
-  convertFile: [bytes, { ...ofRun, ...ofFile, ...ofOutput, compress: "'draco'" }],
+  convertFile: [bytes, { ...ofRun, ...ofFile, ...ofOutput, compress: "'draco'", units: "'in'" }],
   inspect: [bytes, { faults: 'true', edges: 'false', ...ofRun, ...ofFile }],
 };
 
