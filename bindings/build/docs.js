@@ -2,7 +2,7 @@
 // Builds the documentation as one site in build/docs: the reference, made from the built package's
 // declarations and the table of options, the recipes and the papers. Any complaint of TypeDoc (a
 // link to nothing, a name without an export) is a failure. Pages with figures that live get their
-// scenes and the engine for arrays. A current site is not made again.
+// scenes and the package. A current site is not made again.
 import { cpSync, existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { basename, join } from 'node:path';
 
@@ -37,18 +37,19 @@ const papers = Object.values(groups).flat();
 
 const scenes = 'web/scenes';
 
-/** The files of the package that only files, Node or the command line need. */
-const notOfArrays = /\.d\.m?ts$|_node|^(cli|files|textures|codecs|adapters)$|^remesher\.|coder|zip/;
+/** The files of the package that only Node or the command line need, or other packages' users. */
+const notOfPages = /\.d\.m?ts$|_node|^(cli|files|adapters)$/;
 
 /** What a page with figures that live loads: scenes import the package as everyone does. */
-const liveFigures = `<script type="importmap">{ "imports": { "remesher/arrays":
-  "../package/arrays.js" } }</script><script type="module" src="../scenes/scenes.js"></script>`;
+const liveFigures = `<script type="importmap">{ "imports": { "remesher": "../package/index.js",
+  "remesher/arrays": "../package/arrays.js" } }</script>
+  <script type="module" src="../scenes/scenes.js"></script>`;
 
 /** Puts the scenes and the package beside the pages. */
 function addScenes() {
   cpSync(join(root, scenes), join(root, out, 'scenes'), { recursive: true });
   cpSync(join(root, 'dist'), join(root, out, 'package'), { recursive: true,
-    filter: (file) => !notOfArrays.test(basename(file)) });
+    filter: (file) => !notOfPages.test(basename(file)) });
 }
 
 /** The manifest's entries: the declarations of each import name. */
@@ -118,7 +119,10 @@ async function make() {
     sortEntryPoints: false,
     headings: { readme: false },
     navigation: { includeGroups: true },
-    searchGroupBoosts: { Guides: 8, Recipes: 4, Reference: 4 },
+    // A name that begins with what is sought counts up to ten times as much: properties would be
+    // first, though whoever seeks has a job.
+    searchGroupBoosts: { Guides: 40, Recipes: 8, Reference: 8, Functions: 2, Properties: 0.05,
+      Methods: 0.2 },
     groupOrder: ['Guides', 'Recipes', 'Reference', 'Modules', 'Functions', 'Classes', 'Interfaces',
       'Type Aliases', 'Variables', '*', 'Project'],
     treatWarningsAsErrors: true,

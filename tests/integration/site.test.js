@@ -142,6 +142,52 @@ test('figures of how it works show what the engine makes, and follow the hand', 
   close();
 });
 
+test('each guide has one live figure, made anew by the hand', async () => {
+  const { url, close } = await serve(join(root, reference), "'unsafe-inline'");
+  const page = await browser.newPage({ viewport: { width: 390, height: 844 } });
+  const complaints = [];
+  page.on('console', (message) => complaints.push(message.text()));
+  page.on('pageerror', (error) => complaints.push(String(error)));
+  for (const file of filesUnder('docs/guides', /\.md$/)) {
+    const title = readText(file).match(/^# (.+)$/m)[1].replaceAll(/[^\w.]/g, '_');
+    await page.goto(`${url}/documents/${title}.html`);
+    const figure = page.locator('figure[data-scene^=job-]');
+    assert.equal(await figure.count(), 1, file);
+    await figure.scrollIntoViewIfNeeded();
+    const words = () => figure.locator('> output').textContent();
+    await page.waitForFunction(() => /\d/.test(document.querySelector('figure > output').value));
+    const before = await words();
+    const dial = figure.locator('input[type=range]').first();
+    if (await dial.count() === 0) continue;
+    await dial.focus();
+    for (let i = 0; i < 3; ++i) await page.keyboard.press('ArrowRight');
+    await page.waitForFunction((old) =>
+      document.querySelector('figure > output').value !== old, before);
+  }
+  assert.deepEqual(complaints.filter((text) => !/favicon/.test(text)), []);
+  await page.close();
+  close();
+});
+
+test('the search finds guides before properties', async () => {
+  const { url, close } = await serve(join(root, reference), "'unsafe-inline'");
+  const page = await browser.newPage();
+  await page.goto(`${url}/index.html`);
+  await page.click('#tsd-search-trigger');
+  for (const [word, guide] of [['quads', 'Quads'], ['repair', 'Printing'], ['holes', 'Printing'],
+    ['units', 'Printing'], ['vertices', 'Quads'], ['guides', 'Quads']]) {
+    await page.fill('#tsd-search-input', word);
+    await page.waitForFunction((wanted) => [...document.querySelectorAll('#tsd-search-results a')]
+      .some(({ textContent }) => textContent.trim() === wanted), guide);
+    const found = (await page.locator('#tsd-search-results a').allTextContents())
+      .map((text) => text.trim());
+    const property = found.findIndex((text) => /^remesher\.[A-Z]\w+\./.test(text));
+    assert.ok(property < 0 || found.indexOf(guide) < property, `${word}: ${found}`);
+  }
+  await page.close();
+  close();
+});
+
 test('the page leads to it where it lies beside it, and nowhere where it does not', async () => {
   const built = await builtPage();
   const bare = readFileSync(join(built, 'index.html'), 'utf8');

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The laws of the figures in "How it works": what they draw is what the text beside them says.
+// The laws of the documentation's live figures: what they draw is what the text beside them says.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+
+import { inspect } from 'remesher';
 
 import { circleThrough, flips } from '../../web/scenes/delaunay_flip.js';
 import { flattened, grownDisk, loopAround } from '../../web/scenes/disk_patch.js';
 import { cross } from '../../web/scenes/plane.js';
+import { cleaned, lighter, printable, quads, simulated } from '../../web/scenes/jobs.js';
+import { generated, overlapping, plate, scan } from '../../web/scenes/made.js';
 import { polarMap } from '../../web/scenes/polar_map.js';
 import { evenAreas } from '../../web/scenes/relocation.js';
 import { Solid } from '../../web/scenes/solid.js';
@@ -59,3 +63,57 @@ test('no place near the one of even areas has areas nearer to their mean', () =>
   for (const [dx, dy] of [[0.01, 0], [-0.01, 0], [0, 0.01], [0, -0.01]])
     assert.ok(off([x + dx, y + dy]) > off([x, y]));
 });
+
+test('the models of the guides are what their captions say', async () => {
+  const looked = async (mesh) => {
+    const { input, faults } = await inspect(mesh, { faults: true });
+    return { open: input.boundaryEdges, pieces: input.components, angle: input.minAngle.worst,
+      crossings: faults.selfIntersections, shells: faults.innerShells };
+  };
+  const [rough, bodies, loose, part] =
+    await Promise.all([scan(), overlapping(), generated(), plate()].map(looked));
+  assert.deepEqual({ ...rough, angle: 0 },
+    { open: 0, pieces: 1, angle: 0, crossings: 0, shells: 0 });
+  assert.ok(bodies.open > 0 && bodies.pieces === 2 && bodies.crossings > 0);
+  assert.deepEqual({ ...loose, angle: 0 },
+    { open: 0, pieces: 6, angle: 0, crossings: 0, shells: 1 });
+  assert.ok(part.angle < 1 && part.open === 0 && part.crossings === 0, 'sound, but of needles');
+});
+
+test('each job of the guides is done, and its words are its figures', async () => {
+  const light = await lighter(1000);
+  assert.equal(light.polygons.indices.length / 3, 1000);
+  assert.match(light.words, /^14,400 triangles became 1,000, at most 0\.\d+ %/);
+  assert.match((await printable()).words, /Open edges: 48 before, 0 after.* 0 after\.$/);
+  const { words } = await simulated(0.12);
+  const [, before, after] = /: ([\d.]+)° before, ([\d.]+)° after/.exec(words);
+  assert.ok(before < 1 && after >= 20, `${before}, ${after}`);
+  assert.match((await cleaned(1000)).words, / became 1 with (1,000|9\d\d)\.$/);
+});
+
+test('quads follow the guide of their figure', async () => {
+  const off = ({ polygons: { positions, quads: faces } }) => {
+    // How far sides are from the slant of the line, for those that are nearer to it than the rest.
+    const slants = [];
+    for (let i = 0; i < faces.length; i += 4) {
+      for (const [a, b] of [[0, 1], [1, 2]]) {
+        const [p, q] = [a, b].map((k) => [0, 1, 2].map((axis) =>
+          positions[3 * faces[i + k] + axis]));
+        slants.push(slantOf(p, q));
+      }
+    }
+    return slants.filter((slant) => slant > 0.05 && slant < Math.PI / 2 - 0.05).length
+      / slants.length;
+  };
+  const [plain, led] = [off(await quads(500, 0)), off(await quads(500, 3))];
+  assert.ok(led > 1.2 * plain, `${led} of the sides are aslant, ${plain} without the guide`);
+});
+
+/** The angle of a side with the rings round the tube. */
+function slantOf([x, y, z], [u, v, w]) {
+  const turn = Math.atan2(y, x);
+  const around = (v - y) * Math.cos(turn) - (u - x) * Math.sin(turn);
+  const across = Math.hypot(u - x + around * Math.sin(turn), v - y - around * Math.cos(turn),
+    w - z);
+  return Math.atan2(Math.abs(around), across);
+}

@@ -5,10 +5,13 @@ import { remesh } from 'remesher/arrays';
 
 /** @typedef {[number, number, number]} Vector */
 /** @typedef {import('./stage.js').Point} Point */
+/** quads: four indices each; without them the faces are the triangles.
+ * @typedef {{ positions: ArrayLike<number>, indices: ArrayLike<number>,
+ *   quads?: ArrayLike<number> }} Polygons */
 
 const [around, across] = [96, 48];
 
-function bumpyTorus() {
+export function bumpyTorus() {
   const positions = [], indices = [];
   for (let i = 0; i < around; ++i) {
     for (let j = 0; j < across; ++j) {
@@ -31,14 +34,17 @@ export class Solid {
   tilt = -0.9;
   turn = 0.5;
 
-  /** @param {{ positions: ArrayLike<number>, indices: ArrayLike<number> }} mesh */
-  constructor({ positions, indices }) {
+  /** @param {Polygons} mesh */
+  constructor({ positions, indices, quads }) {
     /** @type {Vector[]} */
     this.points = Array.from({ length: positions.length / 3 }, (_, v) =>
       [positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]]);
     /** @type {Vector[]} */
     this.triangles = Array.from({ length: indices.length / 3 }, (_, t) =>
       [indices[3 * t], indices[3 * t + 1], indices[3 * t + 2]]);
+    /** @type {number[][]} */
+    this.faces = quads ? Array.from({ length: quads.length / 4 }, (_, i) =>
+      [0, 1, 2, 3].map((k) => quads[4 * i + k])) : this.triangles;
   }
 
   /** @param {object} options of `remesh` */
@@ -95,4 +101,28 @@ export class Solid {
       view.polygon(corners, isChosen(triangle) ? 'chosen' : 'face');
     }
   }
+
+  /** Draws the faces as light from the reader shows them, far ones first; without lines where they
+   * would be all that is seen. Through holes the inside is seen.
+   * @param {ReturnType<import('./stage.js').Stage['view']>} view @param {boolean} isOpen */
+  drawLit(view, isOpen) {
+    const seen = this.points.map(this.seen, this), isDense = this.faces.length > 3000;
+    const depth = (/** @type {number[]} */ face) =>
+      face.reduce((sum, v) => sum + seen[v][2], 0) / face.length;
+    for (const face of [...this.faces].sort((s, t) => depth(s) - depth(t))) {
+      const slope = slopeOf(face.map((v) => seen[v]));
+      if (slope <= 0 && !isOpen) continue;
+      const light = Math.round(60 + 34 * Math.abs(slope));
+      const fill = slope > 0 ? `hsl(212 38% ${light}%)` : `hsl(18 45% ${light - 20}%)`;
+      view.polygon(face.map((v) => [seen[v][0], seen[v][1]]), fill, isDense ? fill : 'line');
+    }
+  }
+}
+
+/** The cosine of the angle between a face's normal and the way to the reader.
+ * @param {Vector[]} corners */
+function slopeOf([a, b, c]) {
+  const [u, v] = [b, c].map((p) => p.map((x, k) => x - a[k]));
+  const normal = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+  return normal[2] / (Math.hypot(...normal) || 1);
 }

@@ -93,16 +93,19 @@ class View {
   /** @param {Point} pixels @returns {Point} */
   point([x, y]) { return [(x - this.middle[0]) / this.scale, (this.middle[1] - y) / this.scale]; }
 
-  /** @param {Point[]} points @param {string} fill @param {keyof typeof colors} [line] */
+  /** @param {Point[]} points @param {string} fill @param {string} [line] one of our colours, or
+   *   another */
   polygon(points, fill, line = 'line') {
     const { context } = this;
     context.beginPath();
     for (const p of points) context.lineTo(...this.pixels(p));
     context.closePath();
-    context.fillStyle = colors[/** @type {keyof typeof colors} */ (fill)] ?? fill;
+    const colorOf = (/** @type {string} */ name) =>
+      colors[/** @type {keyof typeof colors} */ (name)] ?? name;
+    context.fillStyle = colorOf(fill);
     context.fill();
     context.lineWidth = devicePixelRatio;
-    context.strokeStyle = colors[line];
+    context.strokeStyle = colorOf(line);
     context.stroke();
   }
 
