@@ -11,8 +11,8 @@ import { damaged, names, sources } from '../support/settings.js';
 test('all settings are read in one place', () => {
   assert.deepEqual(sources.filter(([, text]) => /localStorage|sessionStorage/.test(text))
     .map(([file]) => file), ['web/base/memory.js']);
-  assert.deepEqual([...names].sort(), ['expert', 'guides', 'keep-files', 'language', 'paint', 'recent',
-    'single-keys', 'units', 'welcome']);
+  assert.deepEqual([...names].sort(), ['expert', 'guides', 'keep-files', 'language', 'paint',
+    'recent', 'single-keys', 'units', 'welcome']);
 });
 
 test('a value is there again; one that does not fit is forgotten', () => {

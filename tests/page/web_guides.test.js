@@ -88,7 +88,8 @@ function distance(point, a, b) {
 
 test('the command has them in a file', async () => {
   await page.click('.command > summary');
-  assert.match(await page.textContent('.command code >> nth=0'), / --quads .*--guides guides\.obj$/);
+  assert.match(await page.textContent('.command code >> nth=0'),
+    / --quads .*--guides guides\.obj$/);
   const { name, bytes } = await saved(page, '#guides-note button');
   assert.equal(name, 'guides.obj');
   assert.match(String(bytes), /^o loop 1\nv [\s\S]*\nl 1 2 .* \d+\n$/);
@@ -135,9 +136,10 @@ test('two fingers turn the model and draw nothing', async () => {
   await page.evaluate(() => {
     const canvas = document.getElementById('canvas');
     const box = canvas.getBoundingClientRect();
-    const fire = (type, id, x) => canvas.dispatchEvent(new PointerEvent(type, { pointerId: id,
-      pointerType: 'touch', isPrimary: id === 1, bubbles: true, buttons: type === 'pointerup' ? 0 : 1,
-      clientX: box.x + x, clientY: box.y + box.height / 2 }));
+    const fire = (type, id, x) => canvas.dispatchEvent(new PointerEvent(type, {
+      pointerId: id,
+      pointerType: 'touch', isPrimary: id === 1, bubbles: true,
+      buttons: type === 'pointerup' ? 0 : 1, clientX: box.x + x, clientY: box.y + box.height / 2 }));
     fire('pointerdown', 1, 330);
     fire('pointerdown', 2, 400);
     for (let x = 330; x < 450; x += 20) fire('pointermove', 1, x);
@@ -148,7 +150,7 @@ test('two fingers turn the model and draw nothing', async () => {
   assert.equal((await strokes()).length, 1);
 });
 
-test('they are out of sight for other purposes, kept with the model, and cleared', async () => {
+test('out of sight for other purposes, kept with the model, and cleared', async () => {
   await page.click('#purpose-asset');
   await verdict(page);
   assert.equal(await page.isVisible('#pencil'), false);

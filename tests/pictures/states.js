@@ -69,7 +69,9 @@ export const states = {
     await choose(page, 'quads');
     await click(page, '#guides');
     await page.focus('#canvas');
-    for (const key of ['Enter', 'ArrowRight', 'ArrowRight', 'Enter']) await page.keyboard.press(key);
+    for (const key of ['Enter', 'ArrowRight', 'ArrowRight', 'Enter']) {
+      await page.keyboard.press(key);
+    }
     await click(page, '#pencil-finish');
     await page.waitForTimeout(800);
     await settled(page);

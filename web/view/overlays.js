@@ -12,8 +12,8 @@ import { lineColors, valenceColors } from '../base/colors.js';
 
 /** @typedef {keyof typeof lineColors} LineKind */
 
-/** In pixels; the strokes of a field are many. @param {LineKind} kind */
-const widthOf = (kind) => ({ field: 1.5, direction: 4, loop: 4, drawn: 4 }[kind] ?? 3);
+/** In pixels; the strokes of a field are many. @type {Partial<Record<LineKind, number>>} */
+const widths = { field: 1.5, direction: 4, loop: 4, drawn: 4 };
 
 /** The mark's picture: a ring. */
 function ring() {
@@ -86,7 +86,7 @@ export class Overlays {
   setLines(kind, segments) {
     this.#remove(kind);
     if (!segments.length) return;
-    const material = new LineMaterial({ color: lineColors[kind], linewidth: widthOf(kind),
+    const material = new LineMaterial({ color: lineColors[kind], linewidth: widths[kind] ?? 3,
       polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -2 });
     const geometry = new LineSegmentsGeometry().setPositions(segments);
     const lines = new LineSegments2(geometry, material);

@@ -15,7 +15,8 @@ export const repairNames =
 /** @typedef {typeof repairNames[number]} RepairName */
 
 /** The names of the options for converting: how to compress, and the unit that a 3MF states. */
-export const convertNames = /** @type {const} */ (['compress', 'units']);
+export const convertNames = /** @type {const} */ ([
+  'compress', 'units']);
 
 /** The names of the options for baking onto a mesh. */
 export const bakeNames = /** @type {const} */ ([
