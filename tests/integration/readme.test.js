@@ -43,7 +43,7 @@ for (const place of ['scans', 'models']) mkdirSync(join(folder, place));
 for (const [name, content] of Object.entries({
   'package.json': '{ "type": "module", "private": true }', 'horse.obj': await converted('obj'),
   'horse.glb': await converted('glb'), 'models/b.off': off, 'scans/a.stl': stl(torus()),
-  'scan.stl': stl(torus()), 'drill.stl': stl(torus({ radius: 1.7 })),
+  'scan.stl': stl(torus()), 'part.stl': stl(torus()), 'drill.stl': stl(torus({ radius: 1.7 })),
 })) writeFileSync(join(folder, name), content);
 
 /** @param {string} command @param {string[]} words @returns what it prints */

@@ -33,12 +33,15 @@ test('the number of a purpose is what it was set to, in the visitor’s unit', (
   }
   assert.equal(firstDial('print', subject), 0.1);  // millimetres, of 94
   assert.equal(firstDial('simulation', subject), 1);
-  assert.equal(firstDial('asset', subject), 2000);
+  assert.equal(firstDial('asset', subject), 5000);
+  assert.equal(firstDial('asset', { ...subject, triangles: 50_000 }), 8000);
   assert.equal(firstDial('asset', { ...subject, triangles: 3e6 }), 20_000);
   assert.equal(firstDial('asset', { ...subject, triangles: 12 }), 12);
   assert.deepEqual(valuesFor('print', 0.1, subject),
     { purpose: 'print', work: 'repair', repair: 'auto' });
   assert.equal(valuesFor('asset', 100, { ...subject, isBaked: true }).textures, 'bake');
+  assert.equal(valuesFor('asset', 100, subject).repair, undefined, 'its openings stay');
+  assert.equal(valuesFor('simulation', 1, subject).repair, 'auto');
   assert.deepEqual([0.0013, 0.9, 34, 8].map(roundLength), [0.001, 1, 50, 10]);
   assert.deepEqual(scaleOf(null, 0.1), { name: 'mm', size: 0.001 });
   assert.deepEqual(scaleOf(null, 40), { name: 'm', size: 1 });

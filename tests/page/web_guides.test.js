@@ -139,7 +139,8 @@ test('two fingers turn the model and draw nothing', async () => {
     const fire = (type, id, x) => canvas.dispatchEvent(new PointerEvent(type, {
       pointerId: id,
       pointerType: 'touch', isPrimary: id === 1, bubbles: true,
-      buttons: type === 'pointerup' ? 0 : 1, clientX: box.x + x, clientY: box.y + box.height / 2 }));
+      buttons: type === 'pointerup' ? 0 : 1,
+      clientX: box.x + x, clientY: box.y + box.height / 2 }));
     fire('pointerdown', 1, 330);
     fire('pointerdown', 2, 400);
     for (let x = 330; x < 450; x += 20) fire('pointermove', 1, x);

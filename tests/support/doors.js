@@ -84,6 +84,8 @@ export async function eachPurpose(page, [width, height]) {
     ...surface.positions[v].map((x, k) => x - surface.positions[face[(i + 1) % 3]][k]))));
   const mean = edges.reduce((sum, edge) => sum + edge) / edges.length;
   assert.ok(Math.abs(mean / Number(await page.inputValue('#dial')) - 1) < 0.1, `${mean}`);
+  const [, saidMean] = /Edges ([\d.]+) mm on average/.exec(simulated);
+  assert.ok(Math.abs(mean / Number(saidMean) - 1) < 0.01, `${mean}, ${saidMean} said`);
 
   await drop(page, { 'ring.obj': objText(torus(40, 20)) });
   await opened(page, 'ring.obj');

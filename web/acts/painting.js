@@ -93,6 +93,7 @@ export class Painting {
     showBrush({ onClear: () => this.#clear(), onDone: () => pen.take(null) });
     stage.setShading('density');
     this.#showLevels();
+    stage.bringIntoView();
   }
 
   #drop() {

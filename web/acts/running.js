@@ -14,7 +14,7 @@ import { openExpert } from '../panel/expert.js';
 import { isRepairOnly } from '../model/purposes.js';
 import { reportView } from '../report/report_view.js';
 import { takeawayView } from '../report/takeaway.js';
-import { verdictView } from '../report/verdict.js';
+import { verdictInShort, verdictView } from '../report/verdict.js';
 import { scaleIn, unitOption } from './measures.js';
 import { downloadFormat, downloadLabel, savingActs } from './saving.js';
 
@@ -68,9 +68,10 @@ function showVerdict(page) {
   const format = downloadFormat(model.name);
   const size = shown.sizeIn(format);
   const { triangles, quads } = shown.report.output;
-  byId('verdict', HTMLElement).replaceChildren(verdictView({ report: shown.report,
-    values: shown.values, scale: scaleIn(page), diagonal: surveying.diagonal,
-    largest: largestOf(page, shown), format, size, original: model.bytes.length }, {
+  const judged = { report: shown.report, values: shown.values, scale: scaleIn(page),
+    diagonal: surveying.diagonal, largest: largestOf(page, shown),
+    edges: surveying.distances?.edges, format, size, original: model.bytes.length };
+  byId('verdict', HTMLElement).replaceChildren(verdictView(judged, {
     onLargest: () => surveying.visitLargest(),
     onPlace: (place) => surveying.visitPlace(place),
     onThicken: () => panel.runWith({ repair: 'wrap' }),
@@ -79,6 +80,7 @@ function showVerdict(page) {
       faces: 2 * (quads?.count ?? triangles) }),
     onNotes: () => openExpert('#result'),
   }));
+  byId('verdict-short', HTMLElement).textContent = verdictInShort(judged);
   byId('verdict', HTMLElement).hidden = false;
   const button = byId('download', HTMLButtonElement);
   button.replaceChildren(...downloadLabel(format, size));

@@ -236,8 +236,9 @@ export class Surveying {
   async measure() {
     const { session: { shown }, stage: { viewer } } = this.#page;
     const { fidelity } = shown?.report ?? {};
-    const largest = fidelity ? fidelity.hausdorff / 100 * this.diagonal : null;
-    const distances = viewer && await this.survey.ask('distances', largest);
+    const known = fidelity ? fidelity.hausdorff / 100 * this.diagonal : null;
+    const isRepair = !fidelity;
+    const distances = viewer && await this.survey.ask('distances', { known, isRepair });
     if (shown !== this.#page.session.shown) return null;
     this.distances = distances;
     if (distances) this.#colorDistances(distances);

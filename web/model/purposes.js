@@ -24,8 +24,9 @@ function rounded(value) {
   return Math.round(value / unit) * unit;
 }
 
-/** Most triangles of a model for the web, if nobody says otherwise. */
-const forWeb = 20_000;
+/** Most triangles of a model for the web, and as many as keep most looks, if nobody says
+ * otherwise. */
+const forWeb = 20_000, forLooks = 8000;
 /** Fewer triangles are few enough. */
 const few = 400;
 /** A tolerance that printers keep, and edges that show a part, in shares of the diagonal. */
@@ -36,7 +37,7 @@ export function firstDial(purpose, { triangles, diagonal, unit }) {
   switch (purpose) {
     case 'asset':
       return triangles < few ? triangles
-        : rounded(Math.min(forWeb, Math.max(triangles / 10, Math.min(triangles / 2, 2000))));
+        : rounded(Math.min(forWeb, Math.max(triangles / 10, Math.min(triangles / 2, forLooks))));
     case 'print': return roundLength(shares.tolerance * diagonal / unit);
     case 'simulation': return roundLength(shares.edge * diagonal / unit);
     default: return rounded(Math.min(5000, Math.max(500, triangles / 2)));
@@ -67,12 +68,13 @@ function targetOf(purpose, dial, { diagonal, unit }) {
 }
 
 /** The options of a purpose besides its number: those of the package's preset. New textures are
- * painted only where the old ones lie in many pieces.
+ * painted only where the old ones lie in many pieces. A lighter model keeps its openings: to repair
+ * it is a purpose of its own, and may cost looks.
  * @param {Purpose} purpose @param {Subject} subject @returns {Values} */
 function optionsOf(purpose, { isBaked }) {
   const values = Object.entries(presets.find(({ name }) => name === purpose)?.values ?? {});
   return Object.fromEntries(values.filter(([name]) =>
-    !name.startsWith('texture') || isBaked));
+    (name.startsWith('texture') ? isBaked : name !== 'repair' || purpose !== 'asset')));
 }
 
 /** All options of a purpose. For printing the model is only repaired, unless that is asked for.

@@ -2,7 +2,7 @@
 // Peculiarities of the input, each with a button that shows where it is.
 import { lineColors } from '../base/colors.js';
 import { byId, element } from '../base/dom.js';
-import { count, fileSize } from '../base/format.js';
+import { count } from '../base/format.js';
 import { t } from '../base/i18n.js';
 
 /** Landmarks are edges, which are drawn; fault places are points.
@@ -38,9 +38,9 @@ function chip(name, total, color, onclick) {
  * @param {import('remesher').FaultSummary | null} faults */
 function needsOf(faults) {
   if (!faults || faults.repair === 'off') return [];
-  const { bytes, seconds } = faults.needs;
+  const { seconds } = faults.needs;
   return [element('span', { className: 'needs' }, t('mend.needs',
-    { seconds: count(Math.max(1, Math.round(seconds))), size: fileSize(bytes) }))];
+    { seconds: count(Math.max(1, Math.round(seconds))) }))];
 }
 
 /** Why no faults are shown yet, `faults.KIND` in the texts; limit: a number of vertices.

@@ -10,11 +10,12 @@ import { wasRepaired } from '../model/names.js';
 /** @typedef {import('../model/units.js').Scale} Scale */
 
 /** report, values: of the result; largest: the largest distance from the original in the model's
- * units, null while it is not known; size: bytes of the file to download, null if not known;
- * original: bytes of the model.
+ * units, null while it is not known; edges: lengths of its edges, as soon as they are known; size:
+ * bytes of the file to download, null if not known; original: bytes of the model.
  * @typedef {{ report: Report, values: import('../model/address.js').Values, scale: Scale,
- *   diagonal: number, largest: number | null, format: string, size: number | null,
- *   original: number }} Judged */
+ *   diagonal: number, largest: number | null,
+ *   edges?: import('../survey/surface.js').Distances['edges'], format: string,
+ *   size: number | null, original: number }} Judged */
 
 /** @typedef {{ onLargest: () => void, onPlace: (place: [number, number, number]) => void,
  *   onThicken: () => void, onWithin: () => void, onMore: () => void,
@@ -29,13 +30,18 @@ const seenByAnyone = 0.5;
 const nothing = 1e-6;
 /** Degrees: smaller angles make solvers slow or wrong. */
 const smallAngle = 20;
+/** A file larger by this is not said in percent of the original's. */
+const most = 2;
 /** Percent of the area: less is not worth a word. */
 const leastLoss = 0.005;
 
-/** A length in the visitor's unit, and in percent of the diagonal. @param {number} value
+/** A length in the visitor's unit. @param {number} value @param {Pick<Judged, 'scale'>} model */
+const inUnit = (value, { scale }) => `${length(value / scale.size)} ${scale.name}`;
+
+/** The same, and in percent of the diagonal. @param {number} value
  * @param {Pick<Judged, 'scale' | 'diagonal'>} model */
-const lengthInWords = (value, { scale, diagonal }) =>
-  `${length(value / scale.size)} ${scale.name} (${percent(100 * value / diagonal)})`;
+const lengthInWords = (value, model) =>
+  `${inUnit(value, model)} (${percent(100 * value / model.diagonal)})`;
 
 /** @param {Judged} judged @param {VerdictActs} acts @returns {Line} */
 function closedLine({ report: { output }, values }, { onThicken }) {
@@ -83,16 +89,20 @@ function facesLine({ report: { input, output } }) {
 function sizeLines({ size, original, format }) {
   if (size === null) return [];
   const share = number(size / original, { style: 'percent', maximumSignificantDigits: 2 });
-  return [{ kind: 'plain', text: t('verdict.size',
+  return [{ kind: 'plain', text: t(size > most * original ? 'verdict.sizes' : 'verdict.size',
     { size: fileSize(size), format: format.toUpperCase(), share, original: fileSize(original) }) }];
 }
 
 /** @param {Judged} judged @returns {Line[]} */
-function angleLines({ report: { output }, values }) {
+function solverLines({ report: { output }, values, scale, edges }) {
   if (values.purpose !== 'simulation') return [];
   const { worst, mean } = output.minAngle;
-  return [{ kind: worst >= smallAngle ? 'good' : 'bad',
-    text: t('verdict.angle', { worst: degrees(worst), mean: degrees(mean) }) }];
+  /** @type {Line} */
+  const angles = { kind: worst >= smallAngle ? 'good' : 'bad',
+    text: t('verdict.angle', { worst: degrees(worst), mean: degrees(mean) }) };
+  if (!edges) return [angles];
+  return [angles, { kind: 'plain', text: t('verdict.edges', { mean: inUnit(edges.mean, { scale }),
+    least: inUnit(edges.least, { scale }), most: inUnit(edges.most, { scale }) }) }];
 }
 
 const counted = /** @type {const} */ (['holes', 'islands', 'shells', 'turned']);
@@ -152,7 +162,19 @@ function lineView({ kind, text, act }) {
 /** @param {Judged} judged @param {VerdictActs} acts */
 export function verdictView(judged, acts) {
   const lines = [closedLine(judged, acts), ...distanceLines(judged, acts), facesLine(judged),
-    ...angleLines(judged), ...sizeLines(judged), ...repairLines(judged, acts),
+    ...solverLines(judged), ...sizeLines(judged), ...repairLines(judged, acts),
     ...shapeLines(judged, acts), ...noteLines(judged, acts)];
   return element('ul', {}, ...lines.map(lineView));
+}
+
+/** The verdict's first three lines in a few words, for where there is room for one line.
+ * @param {Judged} judged */
+export function verdictInShort(judged) {
+  const { report: { output }, largest, diagonal } = judged;
+  const { boundaryEdges, triangles, quads } = output;
+  return [boundaryEdges ? t('short.open', { count: count(boundaryEdges) }) : t('short.closed'),
+    ...(largest === null ? [] : [largest < nothing * diagonal ? t('short.exact')
+      : `≤ ${inUnit(largest, judged)}`]),
+    quads ? t('facts.quads', { count: count(quads.count) })
+      : t('facts.triangles', { count: count(triangles) })].join(' · ');
 }

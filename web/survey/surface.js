@@ -106,28 +106,47 @@ function distancesFrom(from, to) {
 /**
  * values: for each vertex of the result; largest: as the report has it, in model units; place: of
  * the sample point that is farthest away; bins: shares of all sample points, from distance 0 to the
- * largest.
- * @typedef {{ values: Float32Array, largest: number, place: Place, bins: number[] }} Distances
+ * largest; edges: lengths of the result's.
+ * @typedef {{ values: Float32Array, largest: number, place: Place, bins: number[],
+ *   edges: { least: number, mean: number, most: number } }} Distances
  */
 
+/** The lengths of a surface's edges. @param {Surface} surface */
+function edgesOf({ soup: { positions, indices } }) {
+  let least = Infinity, most = 0, sum = 0;
+  const from = new Vector3(), to = new Vector3();
+  for (let i = 0; i < indices.length; ++i) {
+    const next = i % 3 === 2 ? i - 2 : i + 1;
+    const length = from.fromArray(positions, 3 * indices[i])
+      .distanceTo(to.fromArray(positions, 3 * indices[next]));
+    least = Math.min(least, length);
+    most = Math.max(most, length);
+    sum += length;
+  }
+  return { least, mean: sum / indices.length, most };
+}
+
 /** Distances between two surfaces, both ways. The core measures more finely, so the largest
- * distance is the core's, where it has measured. @param {Surface} result @param {Surface} original
- * @param {number | null} known the largest @returns {Distances} */
-export function measureDistances(result, original, known) {
+ * distance is the core's, where it has measured. A repair leaves out what is not seen, and says so:
+ * of that the distances are not. @param {Surface} result @param {Surface} original
+ * @param {{ known: number | null, isRepair: boolean }} how known: the largest
+ * @returns {Distances} */
+export function measureDistances(result, original, { known, isRepair }) {
   const there = distancesFrom(result, original);
-  const back = distancesFrom(original, result);
+  const back = isRepair ? there : distancesFrom(original, result);
   const { point, nearest, distance } = back.largest;
   // The place must be on the result, because the colours are there.
   const place = distance > there.largest.distance
     ? { distance, point: nearest, nearest: point } : there.largest;
   const largest = known ?? place.distance;
   const bins = new Array(binCount).fill(0);
-  const places = there.all.length + back.all.length;
-  for (const list of [there.all, back.all]) {
+  const lists = isRepair ? [there.all] : [there.all, back.all];
+  const places = lists.reduce((sum, list) => sum + list.length, 0);
+  for (const list of lists) {
     for (const value of list) {
       const bin = Math.min(binCount - 1, Math.floor(binCount * value / (largest || 1)));
       bins[bin] += 1 / places;
     }
   }
-  return { values: there.values, largest, place, bins };
+  return { values: there.values, largest, place, bins, edges: edgesOf(result) };
 }

@@ -31,10 +31,10 @@ const questions = {
     ? irregularVertices(surfaces[side].soup, first) : null),
   /** @param {Side} side */
   strokes: (side) => (surfaces[side] ? strokesOf(surfaces[side].soup) : null),
-  /** @param {number | null} largest distance, in model units; null: not known
-   * @returns {Distances | null} */
-  distances: (largest) => (surfaces.result && surfaces.original
-    ? measureDistances(surfaces.result, surfaces.original, largest) : null),
+  /** @param {{ known: number | null, isRepair: boolean }} how known: the largest distance, in model
+   *   units, if it is @returns {Distances | null} */
+  distances: (how) => (surfaces.result && surfaces.original
+    ? measureDistances(surfaces.result, surfaces.original, how) : null),
   /** @param {{ side: Side, origin: Point, direction: Point }} request */
   pick({ side, origin, direction }) {
     const on = surfaces[side];

@@ -205,7 +205,7 @@ export default {
   'features': 'Creases',
   'landmarks': 'Peculiarities of the original',
   'landmark.boundary': '{count} open edges',
-  'landmark.nonManifold': '{count} edges of more than two triangles',
+  'landmark.nonManifold': '{count} non-manifold edges',
   'landmark.flipped': '{count} edges between flipped triangles',
   'landmark.innerShells': '{count} inner shells',
   'landmark.insideOut': '{count} bodies inside out',
@@ -277,7 +277,7 @@ export default {
   'contextLost': 'The graphics card was taken away for a moment. The picture comes back; '
     + 'remeshing goes on.',
 
-  'mend.needs': ' (about {seconds} s, {size})',
+  'mend.needs': ' (about {seconds} s)',
   'cut': 'Cut',
   'cut.depth': 'How deep the cut is',
   'key.cut': 'Cut through the models',
@@ -353,7 +353,7 @@ export default {
   'dial.asset': 'Triangles, at most',
   'dial.print': 'Tolerance',
   'dial.simulation': 'Edge length',
-  'dial.quads': 'Quads, at most',
+  'dial.quads': 'Quads, about',
   'dial.slider': 'The same, by slider',
   'repairOnly': 'Repair only',
   'unit': 'Unit of the model',
@@ -374,7 +374,7 @@ export default {
   'verdict.within': 'Use as many as keep it',
   'verdict.lost': 'More of them keep more of the shape.',
   'verdict.more': 'Twice as many',
-  'verdict.notes': '{count} notes on this run.',
+  'verdict.notes': 'Notes on this run: {count}.',
   'verdict.read': 'Read',
   'download.others': 'Other formats, pictures, levels of detail',
   'hint.purpose': 'Say what the model is for; one number does the rest.',
@@ -393,7 +393,7 @@ export default {
   'error.foreign.scene': 'Open it in Blender (free), or in the program that made it, and export '
     + 'it as GLB.',
   'live': 'Remesh while options change',
-  'landmark.selfIntersections': '{count} triangles intersect others',
+  'landmark.selfIntersections': '{count} intersecting triangles',
   'repair.nothing': 'There was nothing to repair.',
   'repair.rims': '{count} rims left open',
   'repair.bodies': '{count} sheets made closed bodies',
@@ -401,8 +401,8 @@ export default {
   'repair.crossings': '{before} triangles intersected others; now {after}',
   'phase.repair': 'Repairing',
   'phase.mend': 'Repairing',
-  'purpose.asset.about': 'Fewer triangles that look the same; the model gets new textures where '
-    + 'it has any.',
+  'purpose.asset.about': 'Fewer triangles that look the same. Textures stay, or are painted anew '
+    + 'where they lie in many pieces.',
   'guides': 'Draw guides',
   'guides.some': 'Guides: {count}. Draw',
   'guides.help': 'Lines on the model that quads follow.',
@@ -420,4 +420,10 @@ export default {
   'key.guide': 'Draw guides for quads',
   'elsewhere.guides': 'The command takes the guides from a file beside the model.',
   'elsewhere.saveGuides': 'Save {name}',
+  'verdict.sizes': '{size} as {format}; the original has {original}.',
+  'verdict.edges': 'Edges {mean} on average, from {least} to {most}.',
+  'short.closed': 'Closed',
+  'short.open': '{count} open edges',
+  'short.exact': 'shape exact',
+  'tag.vertices': 'vertices',
 };

@@ -3,8 +3,10 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { visit } from '../../support/browser_page.js';
-import { eachPurpose } from '../../support/doors.js';
+import { overlappingBoxes } from '../../support/broken_shapes.js';
+import { drop, opened, visit } from '../../support/browser_page.js';
+import { choose, eachPurpose } from '../../support/doors.js';
+import { stl } from '../../support/shapes.js';
 
 const { page, complaints } = await visit({ hash: '#model=gear&vertices=300', isFirst: true,
   unseen: true, viewport: { width: 1440, height: 900 } });
@@ -12,5 +14,21 @@ const { page, complaints } = await visit({ hash: '#model=gear&vertices=300', isF
 for (const [screen, size] of Object.entries({ small: [1024, 768], phone: [390, 844] })) {
   test(`each purpose, from the door to the file: ${screen}`, () => eachPurpose(page, size));
 }
+
+test('on a phone purposes and verdict are in view without scrolling', async () => {
+  const name = 'a long name of a part with faults.stl';
+  await drop(page, { [name]: stl(overlappingBoxes()) });
+  await opened(page, name);
+  await page.waitForSelector('#landmark-selfIntersections');
+  await choose(page, 'print');
+  await page.evaluate(() => scrollTo(0, 0));
+  const top = (await page.locator('#download-bar').boundingBox()).y;
+  const { y, height } = await page.locator('#purpose-quads').boundingBox();
+  assert.ok(y + height <= top, `${y + height} of ${top}`);
+  assert.equal(await page.textContent('#verdict-short'), 'Closed · shape exact · 28 triangles');
+  assert.ok(await page.isVisible('#verdict-short'));
+  const others = await page.locator('#other-formats').boundingBox();
+  assert.ok(others.width >= 44 && others.height >= 44, 'a finger finds it');
+});
 
 test('nothing is complained of', () => assert.deepEqual(complaints, []));
