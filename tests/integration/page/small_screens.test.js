@@ -4,11 +4,11 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import { overlappingBoxes } from '../../support/broken_shapes.js';
-import { drop, opened, visit } from '../../support/browser_page.js';
+import { drop, openPage, opened, settled, visit } from '../../support/browser_page.js';
 import { choose, eachPurpose } from '../../support/doors.js';
 import { stl } from '../../support/shapes.js';
 
-const { page, complaints } = await visit({ hash: '#model=gear&vertices=300', isFirst: true,
+const { site, page, complaints } = await visit({ hash: '#model=gear&vertices=300', isFirst: true,
   unseen: true, viewport: { width: 1440, height: 900 } });
 
 for (const [screen, size] of Object.entries({ small: [1024, 768], phone: [390, 844] })) {
@@ -16,6 +16,7 @@ for (const [screen, size] of Object.entries({ small: [1024, 768], phone: [390, 8
 }
 
 test('on a phone purposes and verdict are in view without scrolling', async () => {
+  await page.setViewportSize({ width: 390, height: 844 });
   const name = 'a long name of a part with faults.stl';
   await drop(page, { [name]: stl(overlappingBoxes()) });
   await opened(page, name);
@@ -29,6 +30,25 @@ test('on a phone purposes and verdict are in view without scrolling', async () =
   assert.ok(await page.isVisible('#verdict-short'));
   const others = await page.locator('#other-formats').boundingBox();
   assert.ok(others.width >= 44 && others.height >= 44, 'a finger finds it');
+});
+
+test('what a finger presses is large enough, upright and across', async () => {
+  const { page: phone } = await openPage(site, { hash: '#model=gear&vertices=300', unseen: true,
+    isKept: false, isFirst: true, hasTouch: true, isMobile: true,
+    viewport: { width: 844, height: 390 } });
+  await settled(phone);
+  await phone.click('#purpose-quads');
+  await settled(phone);
+  for (const [width, height] of [[844, 390], [390, 844]]) {
+    await phone.setViewportSize({ width, height });
+    const small = await phone.locator('button, select, summary, input:not([type=radio], '
+      + '[type=checkbox])').evaluateAll((nodes) => nodes.filter((node) => node.checkVisibility()
+      && node.id !== 'divider').map((node) => [node.id || node.textContent.trim(),
+      node.getBoundingClientRect()]).filter(([, box]) => box.width && box.height < 43.5)
+      .map(([name, { height: own }]) => `${name} ${own}`));
+    assert.deepEqual(small, [], `${width} × ${height}`);
+  }
+  await phone.context().close();
 });
 
 test('nothing is complained of', () => assert.deepEqual(complaints, []));
