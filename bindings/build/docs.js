@@ -94,6 +94,14 @@ function place(page, file) {
   page.frontmatter.group = Object.keys(groups).find((group) => groups[group].includes(file));
 }
 
+/** A page all of whose parts that scroll the keyboard can reach, and screen readers by landmarks.
+ * @param {string} html */
+const reachable = (html) => html.replaceAll('<table>', '<table tabindex="0">')
+  .replace('<div class="col-content">', '<div class="col-content" role="main">')
+  .replace('<div class="col-sidebar">',
+    '<div class="col-sidebar" role="complementary" aria-label="Contents">')
+  .replaceAll(/<h3>(?=Settings|On This Page)/g, '<h3 aria-level="2">');
+
 /** The README's links to the documentation, which here are links within it. @param {string} html */
 const withinSite = (html) =>
   html.replaceAll(`href="${addressOf(JSON.parse(read('package.json')))}docs/"`, 'href="index.html"')
@@ -127,8 +135,8 @@ async function make() {
       'Type Aliases', 'Variables', '*', 'Project'],
     treatWarningsAsErrors: true,
   });
-  app.renderer.on(PageEvent.END, (page) => {  // the keyboard can reach all parts that scroll
-    page.contents = page.contents?.replaceAll('<table>', '<table tabindex="0">');
+  app.renderer.on(PageEvent.END, (page) => {
+    page.contents = page.contents && reachable(page.contents);
     if (page.contents && page.url === 'index.html') page.contents = withinSite(page.contents);
     if (page.contents?.includes('data-scene='))
       page.contents = page.contents.replace('</head>', `${liveFigures}</head>`);

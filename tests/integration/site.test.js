@@ -16,6 +16,7 @@ import * as pool from 'remesher/pool';
 import * as three from 'remesher/three';
 
 import { documentation } from '../../web/documentation.js';
+import { barriers } from '../support/barriers.js';
 import { buildDocs } from '../support/built_docs.js';
 import { builtPage } from '../support/built_page.js';
 import { startChromium } from '../support/chromium.js';
@@ -157,6 +158,7 @@ test('each guide has one live figure, made anew by the hand', async () => {
     const words = () => figure.locator('> output').textContent();
     await page.waitForFunction(() => /\d/.test(document.querySelector('figure > output').value));
     const before = await words();
+    assert.deepEqual(await barriers(page), [], file);
     const dial = figure.locator('input[type=range]').first();
     if (await dial.count() === 0) continue;
     await dial.focus();
