@@ -32,7 +32,8 @@ export function showBrush({ onClear, onDone }) {
   const box = byId('brush', HTMLElement);
   box.replaceChildren(
     element('p', { className: 'help' }, t('brush.help')),
-    modeButton('dense'), modeButton('sparse'), modeButton('erase'),
+    element('div', { className: 'modes', role: 'radiogroup', ariaLabel: t('brush') },
+      modeButton('dense'), modeButton('sparse'), modeButton('erase')),
     slider('size', { min: 0.01, max: 0.4 }), slider('strength', { min: 0.05, max: 2 }),
     element('label', { className: 'inline-check' }, mirror, t('brush.mirror')),
     element('div', { className: 'inline' },

@@ -105,7 +105,7 @@ export class Stage {
       const { shading = '' } = /** @type {HTMLElement} */ (button).dataset;
       return element('option', { value: shading, disabled: button.hasAttribute('disabled') },
         t(/** @type {'shading.plain'} */ (`shading.${shading}`)));
-    }));
+    }), element('option', { value: 'density', hidden: true }, t('density')));
     this.#menu.value = this.#shading;
   }
 
