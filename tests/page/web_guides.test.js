@@ -132,23 +132,28 @@ test('the keyboard draws, too: point by point, from the middle', async () => {
   await drawn(1);
 });
 
-test('two fingers turn the model and draw nothing', async () => {
-  await page.evaluate(() => {
-    const canvas = document.getElementById('canvas');
-    const box = canvas.getBoundingClientRect();
-    const fire = (type, id, x) => canvas.dispatchEvent(new PointerEvent(type, {
-      pointerId: id,
-      pointerType: 'touch', isPrimary: id === 1, bubbles: true,
-      buttons: type === 'pointerup' ? 0 : 1,
-      clientX: box.x + x, clientY: box.y + box.height / 2 }));
-    fire('pointerdown', 1, 330);
-    fire('pointerdown', 2, 400);
-    for (let x = 330; x < 450; x += 20) fire('pointermove', 1, x);
-    fire('pointerup', 2, 400);
-    fire('pointerup', 1, 450);
-  });
+test('one finger draws, two fingers turn the model and draw nothing', async () => {
+  const cdp = await page.context().newCDPSession(page);
+  const box = await page.locator('#canvas').boundingBox();
+  const fingers = (type, points) => cdp.send('Input.dispatchTouchEvent', { type,
+    touchPoints: points.map((x, id) =>
+      ({ x: box.x + x * box.width / 2, y: box.y + 0.63 * box.height, id })) });
+  const drag = async (from) => {
+    await fingers('touchStart', from);
+    for (let i = 1; i <= 4; ++i) await fingers('touchMove', from.map((x) => x + 0.03 * i));
+    await fingers('touchEnd', []);
+  };
+  await page.click('[data-do=fit]');
+  await lookFromAbove();
+  await drag([0.44]);
+  await drawn(2);
+  await drag([0.3, 0.6]);
   await page.waitForTimeout(300);
-  assert.equal((await strokes()).length, 1);
+  assert.equal((await strokes()).length, 2);
+  await page.focus('#canvas');
+  await page.keyboard.press('Control+z');
+  await drawn(1);
+  await cdp.detach();
 });
 
 test('out of sight for other purposes, kept with the model, and cleared', async () => {
