@@ -143,16 +143,18 @@ test('one finger draws, two fingers turn the model and draw nothing', async () =
     for (let i = 1; i <= 4; ++i) await fingers('touchMove', from.map((x) => x + 0.03 * i));
     await fingers('touchEnd', []);
   };
-  await page.click('[data-do=fit]');
-  await lookFromAbove();
-  await drag([0.44]);
-  await drawn(2);
-  await drag([0.3, 0.6]);
-  await page.waitForTimeout(300);
-  assert.equal((await strokes()).length, 2);
+  for (const [count, from] of [[2, [0.44]], [2, [0.3, 0.6]], [3, [0.44]]]) {
+    await page.click('[data-do=fit]');
+    await lookFromAbove();
+    await drag(from);
+    await drawn(count);
+  }
+  assert.equal((await strokes()).length, 3, 'strokes are made in order: there is no other');
   await page.focus('#canvas');
-  await page.keyboard.press('Control+z');
-  await drawn(1);
+  for (const count of [2, 1]) {
+    await page.keyboard.press('Control+z');
+    await drawn(count);
+  }
   await cdp.detach();
 });
 
