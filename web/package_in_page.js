@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Build step: leaves out package modules that the page does not need, and preloads WebAssembly.
+// Build step: leaves out what the page and its workers do not need, of the package and of three.js,
+// and preloads WebAssembly.
 
 const nothing = '\0nothing';
 const exported = 'export const Engine = null, plainWorker = null, loadPackage = () => {};';
@@ -26,6 +27,20 @@ export function withoutCompression() {
     resolveId: (source) => (/\/codecs\/compress\.js$/.test(source) ? nothing : null),
     load: (id) => (id === nothing ? 'export const compressed = null, requireCompressible = null;'
       : null),
+  };
+}
+
+/** Statements of three.js that set properties of classes: with them a class stays that nobody
+ * makes. */
+const statics = /^(?:PropertyBinding|\w*KeyframeTrack)(?:\.\w+)+ = [^;]*;/gm;
+
+/** @returns {import('vite').Plugin} for the page's workers, which measure surfaces and animate
+ *   nothing */
+export function withoutAnimations() {
+  return {
+    name: 'without-animations',
+    transform: (code, id) => (/\/three\.core\.js$/.test(id)
+      ? { code: code.replace(statics, ''), map: null } : null),
   };
 }
 

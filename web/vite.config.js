@@ -4,7 +4,9 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import { installable } from './installable.js';
-import { earlyWasm, withoutCompression, withoutUnused } from './package_in_page.js';
+import {
+  earlyWasm, withoutCompression, withoutAnimations, withoutUnused,
+} from './package_in_page.js';
 import { sampleFiles } from './sample_files.js';
 import { wordsInPlace } from './words_in_place.js';
 
@@ -14,8 +16,9 @@ export default defineConfig({
   publicDir: false,
   plugins: [sampleFiles(), wordsInPlace(), installable(), earlyWasm(), withoutUnused()],
   // One script for all image codecs: they are much alike, and half as large if packed together.
-  worker: { format: 'es', plugins: () => [withoutCompression()], rolldownOptions: {
-    output: { codeSplitting: { groups: [{ name: 'codecs', test: /@jsquash/ }] } } } },
+  worker: { format: 'es', plugins: () => [withoutCompression(), withoutAnimations()],
+    rolldownOptions: {
+      output: { codeSplitting: { groups: [{ name: 'codecs', test: /@jsquash/ }] } } } },
   build: {
     outDir: fileURLToPath(new URL('../build/web', import.meta.url)),
     emptyOutDir: true,
