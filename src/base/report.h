@@ -185,6 +185,13 @@ struct DropReport {
   std::vector<Vec3> hiddenAt;        // a corner of some of the triangles
 };
 
+// Faces that closed bodies have in common.
+struct ConformReport {
+  std::size_t faces = 0;      // connected, of two bodies each
+  std::size_t triangles = 0;  // of these faces, each once
+  double area = 0;            // in the world
+};
+
 // Texture coordinates, and the maps that were painted for them.
 struct AtlasReport {
   Index size = 0;          // texels along a side
@@ -211,6 +218,7 @@ struct Report {
   std::optional<FidelityReport> fidelity;
   std::optional<RepairReport> repair;  // only if requested
   std::optional<DropReport> dropped;   // likewise
+  std::optional<ConformReport> conform;  // if bodies were to share faces
   std::optional<AtlasReport> atlas;    // of baking onto a mesh, and of unwrapping
   Timings timings;
   std::vector<Phase> phases;  // in order; together they make up the run

@@ -42,6 +42,7 @@ export const coreRooms = {
     'remesh/quads/mesh', 'remesh/quads', 'remesh/symmetry'],
   measure: ['base', 'mesh', 'geometry'],
   arrangement: ['base', 'mesh', 'geometry', 'measure'],
+  contact: ['base', 'mesh', 'geometry', 'arrangement'],
   'repair/holes': ['base', 'mesh', 'geometry', 'measure'],
   'repair/solid': ['base', 'mesh', 'geometry', 'measure'],
   repair: ['base', 'mesh', 'geometry', 'measure', 'arrangement', 'repair/holes', 'repair/solid'],
@@ -60,8 +61,8 @@ export const coreRooms = {
   'jobs/parts': ['base', 'mesh', 'geometry', 'remesh/schemes', 'measure', 'io/model'],
   'jobs/checks': ['base', 'mesh', 'geometry', 'remesh/schemes', 'measure', 'io/model',
     'jobs/parts'],
-  jobs: ['base', 'mesh', 'geometry', 'simplify', 'remesh/schemes', 'measure', 'repair', 'io/model',
-    'io', 'textures', 'jobs/parts', 'jobs/checks'],
+  jobs: ['base', 'mesh', 'geometry', 'simplify', 'remesh/schemes', 'measure', 'contact', 'repair',
+    'io/model', 'io', 'textures', 'jobs/parts', 'jobs/checks'],
   '': ['base', 'mesh', 'remesh/quads', 'remesh/schemes', 'measure', 'io/model', 'io', 'jobs/parts',
     'jobs/checks', 'jobs'],
 };
