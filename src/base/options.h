@@ -125,19 +125,21 @@ struct RemeshOptions {
   std::optional<double> dropBelow;  // smaller pieces are left out, percent of the diagonal
   bool dropFloaters = false;        // so are small pieces away from the rest: dropBelow auto
   bool dropHidden = false;          // so are triangles that nobody sees from outside
+  bool conform = false;             // bodies that touch share the triangles of their common face
   std::vector<double> lods;         // of levels of detail, each > 0: shares of the vertices
   LodsBy lodsBy = LodsBy::Shares;   // or how far a level may be off, in pixels of 1080
   bool lodFiles = false;            // a file for each level, not one for all
   Lengths lengths;
 
   // Not set by the caller: see PartTargets, PartUnions, fewest_vertices.h, mirrored.h,
-  // part_repair.cpp.
+  // part_repair.cpp, conform_run.h.
   TooFew tooFew = TooFew::Refuse;
   OutOfBound outOfBound = OutOfBound::FromOriginal;
   std::vector<Index> bodies;      // per input group its body; all bodies form one surface
   std::optional<Index> inBodies;  // exact number of positions, each counted once per body
   Mirrors mirrors;                // of quads: the input is a half, cut off along these planes
   std::optional<double> spacing;  // wished for repair's lattice; else from the mesh itself
+  bool keepsJoints = false;       // edges at which the surface is cut apart stay, and join it again
 };
 
 // Whether a number of vertices is asked for, by itself or by a mean length of edges.

@@ -53,7 +53,7 @@ std::vector<Halfedge> findJoints(const BuiltMesh& built) {
   std::size_t closed = 0;
   for (std::size_t e = 0; e < edges.size(); ++e)
     closed += kindOf(mesh, edges[e]) == Kind::Closed ? 1 : 0;
-  const bool areSheets = kMostShare * closed > edges.size();
+  const bool areSheets = !built.keepsJoints && kMostShare * closed > edges.size();
   if (areSheets) fires("joints: sheets that coincide");
   std::vector<Halfedge> joints;
   for (std::size_t e = 0; e < edges.size(); ++e) {

@@ -10,7 +10,8 @@
 
 namespace remesher {
 
-// All halfedges of each joint. Sheets that coincide all over are joined only along their rims.
+// All halfedges of each joint. Sheets that coincide all over are joined only along their rims,
+// unless the mesh keeps all joints.
 std::vector<Halfedge> findJoints(const BuiltMesh& built);
 
 // The number of different places of the vertices, copies counted once.

@@ -19,6 +19,7 @@ struct BuiltMesh {
   HalfedgeData<Index> wedges;   // per corner: the input vertex it came from (its attributes)
   FaceData<Index> triangles;    // per face: the input triangle it came from
   VertexData<Index> sources;    // per vertex: the first input vertex at its place
+  bool keepsJoints = false;     // whether all joints are meant: see findJoints
   bool isInSpaceOrder = false;  // whether neighbours in space are neighbours in the lists
   std::size_t lines = 0;        // triangles of the input without three distinct corners, left out
   std::vector<Warning> warnings;

@@ -63,6 +63,8 @@ class Simplification {
       if (mesh_.isAlive(Face(i))) addFace(Face(i));
     for (Index i = 0; i < mesh_.vertexCapacity(); ++i)
       if (mesh_.isAlive(Vertex(i))) freedom_[Vertex(i)] = freedomOf(Vertex(i));
+    for (Index i = 0; i < surface.held.size(); ++i)
+      if (surface.held[Vertex(i)]) freedom_[Vertex(i)] = Freedom::Fixed;
   }
 
   void run(double leastTurned, std::size_t vertices) {

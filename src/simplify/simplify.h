@@ -14,6 +14,7 @@ struct SimpleSurface {
   VertexData<Vec3> positions;
   // Of both halfedges. Without attributes, triangles between seams must remain.
   HalfedgeData<char> seams;
+  VertexData<char> held = {};  // vertices that neither move nor go; empty: none
 };
 
 // Attributes that vertices keep, scaled to lengths: an attribute error of 1 is seen as much as a

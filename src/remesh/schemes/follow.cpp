@@ -11,6 +11,7 @@
 #include "base/place.h"
 #include "geometry/mesh_tree.h"
 #include "geometry/triangle.h"
+#include "mesh/joints.h"
 #include "remesh/schemes/attribute_lengths.h"
 #include "simplify/simplify.h"
 
@@ -114,6 +115,14 @@ class Extraction {
   std::map<std::pair<Index, Index>, Index> copies_;
 };
 
+// Whether each vertex is at a joint.
+VertexData<char> atJoints(const BuiltMesh& built) {
+  VertexData<char> isAtJoint(built.mesh.vertexCapacity(), 0);
+  for (const Halfedge h : findJoints(built))
+    isAtJoint[built.mesh.origin(h)] = isAtJoint[built.mesh.tip(h)] = 1;
+  return isAtJoint;
+}
+
 }  // namespace
 
 HalfedgeData<char> seamsOf(const BuiltMesh& built, const TriangleMesh& input, Textures textures) {
@@ -185,6 +194,7 @@ std::optional<Followed> follow(const BuiltMesh& original, const TriangleMesh& in
   const bool keepsLook = textures != Textures::Bake;
   if (now < positions || (now == positions && !keepsLook)) return {};
   SimpleSurface surface{original.mesh, original.positions, seamsOf(original, input, textures)};
+  if (original.keepsJoints) surface.held = atJoints(original);
   KeptAttributes attributes = attributesAsLengths(original, input);
   KeptAttributes* kept = keepsLook && attributes.itemSize > 0 ? &attributes : nullptr;
   // A collapse takes one position at most, and none if other vertices share it.

@@ -157,7 +157,7 @@ Remeshed remeshOriginal(const Prepared& original, const RunSettings& settings,
   run.grounds.tree = &settings.tree;
   run.asked.stagger = settings.stagger;
   const std::size_t vertices = original.vertices();
-  const std::size_t places = options.inBodies.value_or(Index(vertices));
+  const std::size_t places = options.inBodies.value_or(Index(original.places()));
   run.asked.effort = effortOf(options.quality, Level::Finest, vertices);
   const Made made = makeMesh(run, original, settings, progress);
   const bool isFree = !options.vertices && !options.faces && !options.ratio;
@@ -190,7 +190,7 @@ RemeshOutcome Isotropic::outcome(Prefer prefer, const Progress& progress) {
   std::vector<InputPlace> places;
   if (options_.textures == Textures::Bake) places = cornerPlaces(mesh(), input_);
   const std::size_t vertices =
-      options_.splitObtuse ? original_.vertices() : bodies_.countPlaces(mesh());
+      options_.splitObtuse ? original_.places() : bodies_.countPlaces(mesh());
   RemeshOutcome outcome{extractMesh(mesh(), input_, original_.transfer()),
                         std::move(places),
                         made_->stopped,

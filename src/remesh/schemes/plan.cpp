@@ -31,11 +31,11 @@ std::size_t correctedTarget(const OriginalSurface& surface, const RemeshOptions&
 }
 
 std::size_t finalTarget(const OriginalSurface& surface, const RemeshOptions& options,
-                        const SizeRules& rules) {
+                        const SizeRules& rules, std::size_t copies) {
   const std::size_t wanted = correctedTarget(surface, options, rules);
   const std::size_t corners = countCorners(surface.curves(), surface.mesh());
   const std::size_t vertices = options.tooFew == TooFew::Raise ? std::max(wanted, corners) : wanted;
-  checkCurves(corners, vertices);
+  if (corners > vertices) checkCurves(corners - copies, vertices - copies);
   return vertices;
 }
 
@@ -137,7 +137,7 @@ CurveChoice chooseWithJoints(const BuiltMesh& built, const TriangleMesh& input,
   if (scale.joints.empty() || !(isTextured || options.quads)) {
     CurveChoice choice = chooseWithFlats(built, input, options, needs);
     const std::size_t share = kMostShare * countCornerPlaces(choice.curves, built);
-    if (scale.joints.empty() || share <= vertices) return choice;
+    if (scale.joints.empty() || options.keepsJoints || share <= vertices) return choice;
   }
   fires("curves: joints released");
   const std::vector<Halfedge> none;
@@ -165,7 +165,10 @@ Plan planRun(const TriangleMesh& input, Welding welding, const RemeshOptions& op
              const Progress& progress) {
   progress.phase("build", 0, 0);
   BuiltMesh built = buildMesh(input, std::move(welding));
-  const std::size_t vertices = targetVertices(built, options);
+  built.keepsJoints = options.keepsJoints;
+  const std::size_t copies =
+      options.keepsJoints ? built.mesh.vertexCount() - countPlaces(built) : 0;
+  const std::size_t vertices = targetVertices(built, options) + copies;
   const double whole = surfaceArea(built);
   Spikes spikes = findSpikes(built.mesh, built.positions,
                              {evenEdgeLength(whole, double(vertices)), double(vertices)});
@@ -182,19 +185,21 @@ Plan planRun(const TriangleMesh& input, Welding welding, const RemeshOptions& op
   if (options.quads) choice.flats = {};  // their triangles are as large there as elsewhere
   return {std::move(built),   std::move(choice.curves), std::move(choice.transfer),
           std::move(density), std::move(choice.flats),  std::move(spikes),
-          vertices,           std::move(warnings)};
+          vertices,           std::move(warnings),      copies};
 }
 
 Prepared::Prepared(Plan plan, const RemeshOptions& options, const Progress& progress)
     : transfer_((progress.phase("surface", 0, 0), std::move(plan.transfer))),
       warnings_(std::move(plan.warnings)),
+      copies_(plan.copies),
       density_(std::move(plan.density)),
       spikes_(std::move(plan.spikes)),
       surface_(std::move(plan.built), std::move(plan.curves), std::move(plan.flats)),
       standIn_(spikes_.empty() ? standInFor(surface_, plan.vertices, options) : std::nullopt),
       vertices_(finalTarget(
           ground(), options,
-          withSpikes(sizeRules(options, double(plan.vertices), densityOnGround()), spikes_))),
+          withSpikes(sizeRules(options, double(plan.vertices), densityOnGround()), spikes_),
+          copies_)),
       sizes_(ground(),
              withSpikes(finalRules(surface_, options,
                                    sizeRules(options, double(vertices_), densityOnGround())),

@@ -25,6 +25,7 @@ struct Plan {
   Spikes spikes;
   std::size_t vertices;
   std::vector<Warning> warnings;
+  std::size_t copies = 0;  // of these vertices, where joints are kept: so many places less
 };
 
 // Throws Error as buildMesh does, and NO_TRIANGLES, INVALID_OPTION, TARGET_TOO_SMALL,
@@ -53,6 +54,7 @@ class Prepared {
   const TransferRules& transfer() const { return transfer_; }
   const std::vector<Warning>& warnings() const { return warnings_; }
   std::size_t vertices() const { return vertices_; }  // the target
+  std::size_t places() const { return vertices_ - copies_; }
   // The largest mean edge length during a run: that of the ground, or of the result's coarse level.
   double longestEdges() const;
 
@@ -61,6 +63,7 @@ class Prepared {
 
   TransferRules transfer_;
   std::vector<Warning> warnings_;
+  std::size_t copies_;
   std::vector<float> density_;
   Spikes spikes_;
   OriginalSurface surface_;

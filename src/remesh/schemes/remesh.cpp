@@ -265,7 +265,7 @@ class SurfaceCandidates {
     const Prepared& original = isotropic().original();
     ShapeComparison& comparison = isotropic().comparison();
     return outcomeOf(conforms ? comparison.takeConforming() : comparison.takeSimplified(),
-                     original.vertices(), original.warnings());
+                     original.places(), original.warnings());
   }
 
   static constexpr double kHalf = 0.5;

@@ -122,7 +122,7 @@ bool ShapeComparison::hasFlats() {
 bool ShapeComparison::isOwn() {
   if (isOwn_) return *isOwn_;
   const BuiltMesh& built = original_.surface().built();
-  const std::size_t vertices = original_.vertices(), most = built.mesh.vertexCount();
+  const std::size_t vertices = original_.places(), most = built.mesh.vertexCount();
   isOwn_ = false;
   if (vertices > 2 * most || 2 * vertices < most) return false;
   const auto own = double(distinctPositions(built.mesh, built.positions));
@@ -134,7 +134,7 @@ bool ShapeComparison::isOwn() {
 bool ShapeComparison::hasEnough() {
   if (hasEnough_) return *hasEnough_;
   const BuiltMesh& built = original_.surface().built();
-  const std::size_t vertices = original_.vertices(), most = built.mesh.vertexCount();
+  const std::size_t vertices = original_.places(), most = built.mesh.vertexCount();
   hasEnough_ = isOwn() || vertices >= most ||
                (2 * vertices >= most && vertices >= distinctPositions(built.mesh, built.positions));
   return *hasEnough_;
@@ -180,7 +180,9 @@ std::optional<Followed>& ShapeComparison::simplified() {
   if (std::exchange(isSimplified_, true)) return simplified_;
   const BuiltMesh& built = original_.surface().built();
   const std::size_t own = distinctPositions(built.mesh, built.positions);
-  const std::size_t vertices = original_.vertices(), more = vertices > own ? vertices - own : 0;
+  const std::size_t vertices = original_.places(), more = vertices > own ? vertices - own : 0;
+  // Edges of joints must not be divided.
+  if (more > 0 && built.keepsJoints) return simplified_;
   const bool isNearOwn = double(vertices) <= kMostDivided * double(own) && hasFlats();
   if (!isWorthFollowing(built, vertices) || (more > 0 && !isOwn() && !isNearOwn))
     return simplified_;
@@ -192,7 +194,7 @@ std::optional<Followed>& ShapeComparison::simplified() {
 std::optional<Followed>& ShapeComparison::conforming() {
   if (std::exchange(isConforming_, true) || !hasFlats()) return conforming_;
   const BuiltMesh& built = original_.surface().built();
-  conforming_ = conformed(built, input_, original_.vertices(), textures_);
+  conforming_ = conformed(built, input_, original_.places(), textures_);
   return conforming_;
 }
 
@@ -216,7 +218,7 @@ bool ShapeComparison::endsEarly(const WorkingMesh& unfinished) {
 }
 
 bool ShapeComparison::refinesFlatSides() {
-  return original_.vertices() > original_.surface().built().mesh.vertexCount() && hasFlats();
+  return original_.places() > original_.surface().built().mesh.vertexCount() && hasFlats();
 }
 
 bool ShapeComparison::isSeen(const WorkingMesh& isotropic) { return isSeen(awayOf(isotropic)); }

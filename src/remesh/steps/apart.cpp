@@ -19,7 +19,15 @@ namespace {
 // inner edges coincide, too.
 enum class Tie { Fixed, Boundary, Curve, None };
 
+bool isAtKeptJoint(const WorkingMesh& mesh, Vertex v) {
+  bool isKept = false;
+  if (mesh.surface().built().keepsJoints)
+    mesh.mesh().forEachOutgoing(v, [&](Halfedge h) { isKept = isKept || mesh.isKept(h); });
+  return isKept;
+}
+
 Tie tieOf(const WorkingMesh& mesh, Vertex v) {
+  if (isAtKeptJoint(mesh, v)) return Tie::Fixed;
   const VertexKind kind = mesh.kind(v);
   if (!mesh.mesh().isBoundary(v)) return kind == VertexKind::Interior ? Tie::None : Tie::Curve;
   if (kind == VertexKind::Corner) return Tie::Fixed;
