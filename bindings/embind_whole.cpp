@@ -197,6 +197,14 @@ val writtenWanted(const WantedReport& wanted) {
   return result;
 }
 
+val writtenConform(const ConformReport& conform) {
+  val result = val::object();
+  result.set("faces", double(conform.faces));
+  result.set("triangles", double(conform.triangles));
+  result.set("area", conform.area);
+  return result;
+}
+
 val writtenAtlas(const AtlasReport& atlas) {
   val result = val::object();
   result.set("size", double(atlas.size));
@@ -322,6 +330,7 @@ EMSCRIPTEN_BINDINGS(remesher_whole) {
   droppedInJs = &writtenDrop;
   atlasInJs = &writtenAtlas;
   wantedInJs = &writtenWanted;
+  conformInJs = &writtenConform;
   emscripten::function("repair", &repairArrays);
   emscripten::function("remeshFile", &remeshBytes);
   emscripten::function("repairFile", &repairBytes);

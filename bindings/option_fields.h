@@ -45,6 +45,7 @@ void forEachWholeOption(Options& options, const Visit& visit) {
   visit("maxEdge", options.maxEdge);
   visit("minAngle", options.minAngle);
   visit("region", options.region);
+  visit("conform", options.conform);
   visit("symmetry", options.symmetry);
   visit("guides", options.guides);
   visit("textureSize", options.textureSize);

@@ -18,6 +18,7 @@ val (*repairInJs)(const RepairReport& repair) = nullptr;
 val (*droppedInJs)(const DropReport& dropped) = nullptr;
 val (*atlasInJs)(const AtlasReport& atlas) = nullptr;
 val (*wantedInJs)(const WantedReport& wanted) = nullptr;
+val (*conformInJs)(const ConformReport& conform) = nullptr;
 
 namespace {
 
@@ -201,6 +202,7 @@ val objectFrom(const Report& report) {
   if (report.fidelity) result.set("fidelity", objectFrom(*report.fidelity));
   if (report.repair && repairInJs) result.set("repair", repairInJs(*report.repair));
   if (report.dropped && droppedInJs) result.set("dropped", droppedInJs(*report.dropped));
+  if (report.conform && conformInJs) result.set("conform", conformInJs(*report.conform));
   if (report.atlas && atlasInJs) result.set("atlas", atlasInJs(*report.atlas));
   if (!report.prefer.empty()) result.set("prefer", ofParts(report.prefer));
   if (!report.chosen.empty()) result.set("chosen", ofParts(report.chosen));

@@ -29,5 +29,6 @@ extern emscripten::val (*repairInJs)(const RepairReport& repair);
 extern emscripten::val (*droppedInJs)(const DropReport& dropped);
 extern emscripten::val (*atlasInJs)(const AtlasReport& atlas);
 extern emscripten::val (*wantedInJs)(const WantedReport& wanted);
+extern emscripten::val (*conformInJs)(const ConformReport& conform);
 
 }  // namespace remesher

@@ -7,6 +7,7 @@
 #include "jobs/checks/quad_checks.h"
 #include "jobs/checks/wanted_check.h"
 #include "jobs/checks/whole_steps.h"
+#include "jobs/conform_run.h"
 #include "jobs/dropping.h"
 #include "jobs/part_repair.h"
 #include "jobs/parts/part_guides.h"
@@ -62,6 +63,13 @@ bool leadsByAngle(const RemeshOptions&) { return false; }
 RemeshOutcome remeshToAngle(const TriangleMesh&, Welding, const RemeshOptions&, const Progress&) {
   refuse("A smallest angle");
 }
+
+ConformRun::ConformRun(const std::vector<io::Part>& given, const RemeshOptions& options)
+    : given_(given) {
+  if (options.conform) refuse("Common faces");
+}
+RemeshOptions ConformRun::applied(RemeshOptions options) const { return options; }
+void ConformRun::finish(std::vector<SceneRun>&) const {}
 
 RegionRun::RegionRun(std::vector<io::Part>&, const RemeshOptions& options) {
   if (!options.region.empty()) refuse("A region");

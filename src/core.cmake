@@ -162,6 +162,7 @@ set(small
   src/jobs/bake_run.cpp
   src/jobs/baking.cpp
   src/jobs/bare_materials.cpp
+  src/jobs/body_parts.cpp
   src/jobs/checks/crossing_check.cpp
   src/jobs/checks/option_checks.cpp
   src/jobs/checks/precision.cpp
@@ -381,6 +382,7 @@ set(doors
   src/jobs/checks/quad_checks.cpp
   src/jobs/checks/wanted_check.cpp
   src/jobs/checks/whole_steps.cpp
+  src/jobs/conform_run.cpp
   src/jobs/dropping.cpp
   src/jobs/part_repair.cpp
   src/jobs/parts/part_guides.cpp

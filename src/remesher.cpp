@@ -8,6 +8,7 @@
 #include "jobs/baking.h"
 #include "jobs/bare_materials.h"
 #include "jobs/checks/option_checks.h"
+#include "jobs/conform_run.h"
 #include "jobs/inspected_parts.h"
 #include "jobs/level_files.h"
 #include "jobs/mending.h"
@@ -80,10 +81,13 @@ RemeshSceneResult remeshScene(std::vector<PlacedMesh> scene, const RemeshOptions
   const Progress stretch = progress.timedBy(clock);
   const double mended = mendShare(options);
   const Mending mending(parts, options, stretch.part(0, mended));
+  const ConformRun conform(parts, options);
   std::vector<SceneRun> runs = region.within([&] {
-    return remeshLevels(parts, Held::Apart, mending.chosen(options), stretch.part(mended, 1));
+    return remeshLevels(conform.parts(), Held::Apart, conform.applied(mending.chosen(options)),
+                        stretch.part(mended, 1));
   });
-  mending.note(runs.front());
+  conform.finish(runs);
+  mending.note(runs.front().report);
   region.finish(runs);
   runs.front().report.warnings = joined(settled, runs.front().report.warnings);
   std::vector<std::vector<TriangleMesh>> levels;
@@ -143,8 +147,10 @@ RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
     const Mending mending(model.parts, options, whole.part(kReadShare, mended));
     model.leftOut = mending.leftOut();
     const Progress body = whole.part(mended, 1);
+    const ConformRun conform(model.parts, options);
+    model.sharesNodes = options.conform;
     std::vector<SceneRun> all;
-    RemeshOptions chosen = thinned.applied(mending.chosen(options));
+    RemeshOptions chosen = conform.applied(thinned.applied(mending.chosen(options)));
     if (mending.isRemade() && !input.pictures.empty() && io::canHold(outputName, io::kHoldsImages))
       chosen = withPaint(std::move(chosen), model);
     if (chosen.textures == Textures::Bake)
@@ -153,8 +159,9 @@ RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
                         chosen, body);
     else
       all = region.within(
-          [&] { return remeshLevels(model.parts, heldIn(outputName), chosen, body); });
-    mending.note(all.front());
+          [&] { return remeshLevels(conform.parts(), heldIn(outputName), chosen, body); });
+    conform.finish(all);
+    mending.note(all.front().report);
     thinned.note(all);
     region.finish(all);
     return all;

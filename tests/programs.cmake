@@ -58,6 +58,7 @@ add_executable(unit_tests
   tests/unit/jobs/checks/result_check_test.cpp
   tests/unit/jobs/checks/wanted_check_test.cpp
   tests/unit/jobs/checks/whole_steps_test.cpp
+  tests/unit/jobs/conform_run_test.cpp
   tests/unit/jobs/dropping_test.cpp
   tests/unit/jobs/face_budget_test.cpp
   tests/unit/jobs/fewest_vertices_test.cpp

@@ -28,7 +28,7 @@ bool allowsThinning(const RemeshOptions& options) {
                           !options.region.empty() || wantsOfEach(options);
   const bool isMended = options.repair != Repair::Off || options.dropBelow ||
                         options.lengths.dropBelow || options.dropFloaters || options.dropHidden;
-  return options.scheme == Scheme::Best && !isBound && !isNumbered && !isMended && !options.quads &&
+  return options.scheme == Scheme::Best && !isBound && !isNumbered && !isMended && !options.quads && !options.conform &&
          options.textures != Textures::Bake;
 }
 

@@ -16,17 +16,17 @@ const limits = ['minEdge', 'maxEdge', 'minAngle', 'region'];
 export function neededBy(job) {
   if (job.kind === 'inspect') return job.closely ? 'whole' : 'arrays';
   if (job.kind !== 'remesh') return 'whole';
-  const { repair = 'off', quads, dropBelow, dropHidden, lods } = job.options;
+  const { repair = 'off', quads, dropBelow, dropHidden, lods, conform } = job.options;
   const isLimited = limits.some((name) => job.options[name] !== undefined);
   const isByPixels = typeof Object(lods)[0] === 'string';
   const isPlain = repair === 'off' && !quads && dropBelow === undefined && !dropHidden
-    && !isByPixels && !isLimited;
+    && !conform && !isByPixels && !isLimited;
   return isPlain ? 'arrays' : 'whole';
 }
 
 const wholeIsMissing = () => new RemeshError('UNSUPPORTED',
-  'Repair, quads, regions, limits of every edge and levels by pixels are not in the engine for '
-    + 'arrays.',
+  'Repair, quads, regions, common faces, limits of every edge and levels by pixels are not in the '
+    + 'engine for arrays.',
   "Import 'remesher', beside an adapter or instead of 'remesher/arrays'.");
 
 export class Modules {

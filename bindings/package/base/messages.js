@@ -379,6 +379,14 @@
  */
 
 /**
+ * Faces that closed bodies have in common, with `conform`.
+ * @typedef {object} ConformSummary
+ * @property {number} faces Connected faces, of two bodies each.
+ * @property {number} triangles Their triangles, each counted once.
+ * @property {number} area Their area, in the world’s units.
+ */
+
+/**
  * Texture coordinates, and the maps that were painted for them.
  * @typedef {object} AtlasSummary
  * @property {number} size Texels along a side of the square.
@@ -425,8 +433,8 @@
 
 /**
  * @typedef {Inspection & RunReport & { preset?: PresetOptions, repair?: RepairSummary,
- *   dropped?: DropSummary, takesOver?: Switch, compression?: Compression,
- *   lods?: RemeshReport[] }} RemeshReport
+ *   dropped?: DropSummary, conform?: ConformSummary, takesOver?: Switch,
+ *   compression?: Compression, lods?: RemeshReport[] }} RemeshReport
  */
 
 export {};

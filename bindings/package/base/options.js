@@ -212,6 +212,16 @@ export const optionTable = [
     help: 'leave out smaller pieces; auto: floaters, which are small and away from the rest' },
   { name: 'dropHidden', flag: '--drop-hidden', type: 'boolean', default: false,
     help: 'leave out triangles that nobody sees from outside; all others stay as they are' },
+  { name: 'conform', flag: '--conform', type: 'boolean', default: false,
+    excludes: { others: { repair: ['holes', 'solid', 'wrap', 'auto'], quads: [true],
+      prefer: ['shape'], scheme: ['rounds'], splitObtuse: [true], boundary: ['keep'],
+      textures: ['keep', 'bake'], unite: [true], lods: true, dropHidden: [true], density: true,
+      featureEdges: true, region: true },
+    why: 'closed bodies are remeshed together, as isotropic triangles of one level without '
+      + 'textures' },
+    help: 'closed bodies that touch face to face share the triangles of their common face, so that '
+      + 'a solver can join them there; bodies are the connected pieces of all meshes. The number '
+      + 'of vertices counts those of a common face once' },
   { name: 'lods', flag: '--lods R,R,…', type: 'shares', form: false,
     help: 'coarser levels of detail beside the result, by their shares of its vertices, or by what '
       + 'is seen of them: 1px,2px,4px are off by no more than so many pixels where the model is '

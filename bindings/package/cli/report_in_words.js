@@ -217,6 +217,12 @@ function compressionInWords({ method, before, after, error }) {
     + `moved by at most ${Number(error.toPrecision(2))} % of the diagonal`;
 }
 
+/** @param {import('../base/messages.js').ConformSummary} conform */
+function conformInWords({ faces, triangles, area }) {
+  return `${counted(faces, 'common face')} of bodies, ${counted(triangles, 'triangle')} on both `
+    + `sides, area ${Number(area.toPrecision(4))}`;
+}
+
 /** @param {any} report of a run, of an inspection, or warnings alone */
 export function reportInWords(report) {
   const parts = [];
@@ -228,6 +234,7 @@ export function reportInWords(report) {
   if (report.boolean) parts.push(booleanInWords(report.boolean));
   if (report.atlas) parts.push(atlasInWords(report.atlas));
   if (report.output) parts.push(meshInWords('output', report.output));
+  if (report.conform) parts.push(conformInWords(report.conform));
   if (report.fidelity) parts.push(distanceInWords(report.fidelity, report));
   if (report.chosen) parts.push(chosenInWords(report.chosen));
   for (const [i, { output, fidelity, takesOver }] of (report.lods ?? []).entries()) {

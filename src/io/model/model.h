@@ -74,6 +74,7 @@ struct Model {
   std::vector<int> leftOut = {};         // the numbers of meshes of the file that are shown no more
   bool isExact = false;             // in text coordinates get the digits of doubles, floats as well
   bool hasNewTexcoords = false;     // the parts' texture coordinates are not the file's
+  bool sharesNodes = false;         // formats with nodes hold one for all parts at a place
   std::vector<Material> paintings;  // their maps name images below by number
   std::vector<PaintedImage> images;
 };

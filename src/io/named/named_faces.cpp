@@ -43,9 +43,10 @@ class SetNames {
   std::vector<std::string> names_;
 };
 
-void appendFaces(const Part& part, const std::vector<Index>& setOfGroup, NamedFaces& all) {
+// The nodes of the part are those of `weld`, which follow the nodes that are there.
+void appendFaces(const Part& part, const std::vector<Index>& setOfGroup, CornerWeld& weld,
+                 NamedFaces& all) {
   const TriangleMesh& mesh = part.mesh;
-  CornerWeld weld;
   const auto first = static_cast<Index>(all.positions.size());
   std::vector<Index> points;  // by vertex
   for (const Vec3& position : mesh.positions) points.push_back(first + weld.vertexAt(position));
@@ -57,7 +58,10 @@ void appendFaces(const Part& part, const std::vector<Index>& setOfGroup, NamedFa
     face.set = setOfGroup[mesh.groups.empty() ? 0 : mesh.groups[faces.triangle(f)]];
     all.faces.push_back(face);
   }
-  all.positions.insert(all.positions.end(), weld.positions().begin(), weld.positions().end());
+}
+
+void appendNodes(const std::vector<Vec3>& nodes, NamedFaces& all) {
+  all.positions.insert(all.positions.end(), nodes.begin(), nodes.end());
 }
 
 }  // namespace
@@ -68,13 +72,17 @@ NamedFaces namedFacesOf(const Model& model) {
   NamedFaces all;
   SetNames sets;
   std::vector<const TriangleMesh*> meshes;
+  CornerWeld shared;
   for (const Part& body : bodies) {
     std::vector<Index> setOfGroup;
     for (std::size_t g = 0; g < std::max<std::size_t>(groupCount(body.mesh), 1); ++g)
       setOfGroup.push_back(sets.numberOf(nameOfGroup(body, source, g)));
-    appendFaces(body, setOfGroup, all);
+    CornerWeld own;
+    appendFaces(body, setOfGroup, model.sharesNodes ? shared : own, all);
+    appendNodes(own.positions(), all);
     meshes.push_back(&body.mesh);
   }
+  appendNodes(shared.positions(), all);
   std::stable_sort(all.faces.begin(), all.faces.end(), [](const auto& a, const auto& b) {
     return a.set != b.set ? a.set < b.set : a.count < b.count;
   });

@@ -201,4 +201,13 @@ export default {
   'warning.PARTS_MEET': 'Dreiecke von Teilen treffen solche anderer Teile: jedes wurde für sich '
     + 'repariert, um Namen und Ort zu behalten. In einer STL-Datei werden alle eine Fläche.',
   'warning.SHEETS_DROPPED': 'Blätter, die nichts umschließen, wurden weggelassen.',
+  'warning.BODIES_ALMOST_TOUCH': 'Körper berühren sich fast: ihre Flächen sind ein wenig '
+    + 'voneinander entfernt und bleiben es.',
+  'warning.BODIES_OVERLAP': 'Körper überlappen sich: Dreiecke des einen schneiden solche des '
+    + 'anderen.',
+  'warning.COMMON_FACES_LEFT': 'Flächen, die sich berühren, wurden getrennt neu vernetzt: sie '
+    + 'liegen nicht in einer Ebene, oder ihre Ränder kreuzen sich.',
+  'warning.NO_BODIES_TOUCH': 'Keine geschlossenen Körper berühren sich mit Flächen.',
+  'warning.TEXCOORDS_LEFT_OUT': 'Körper mit gemeinsamen Flächen wurden ohne Texturkoordinaten '
+    + 'neu vernetzt.',
 };

@@ -199,4 +199,13 @@ export default {
     + 'réparée pour elle-même, pour garder son nom et sa place. Dans un fichier STL toutes font '
     + 'une seule surface.',
   'warning.SHEETS_DROPPED': 'Des feuilles, qui n’enferment rien, ont été omises.',
+  'warning.BODIES_ALMOST_TOUCH': 'Des corps se touchent presque : leurs faces sont un peu '
+    + 'écartées, et le restent.',
+  'warning.BODIES_OVERLAP': 'Des corps se recouvrent : des triangles de l’un coupent ceux de '
+    + 'l’autre.',
+  'warning.COMMON_FACES_LEFT': 'Des faces qui se touchent ont été remaillées à part : elles ne '
+    + 'sont pas dans un plan, ou leurs bords se croisent.',
+  'warning.NO_BODIES_TOUCH': 'Aucun corps fermé n’en touche un autre par une face.',
+  'warning.TEXCOORDS_LEFT_OUT': 'Les corps aux faces communes ont été remaillés sans coordonnées '
+    + 'de texture.',
 };

@@ -97,6 +97,7 @@ export default {
   'option.unite': 'Vereinigen',
   'option.dropBelow': 'Kleines weglassen',
   'option.dropHidden': 'Verdecktes weglassen',
+  'option.conform': 'Gemeinsame Flächen',
   'help.keepRims': 'Schleifen, die gewollt aussehen, bleiben offen: runde, und gerade, an denen '
     + 'Wände enden',
   'help.thickness': 'aus Blättern werden so dicke Körper, die Hälfte auf jeder Seite',
@@ -106,6 +107,8 @@ export default {
   'help.dropBelow': 'kleinere Stücke weglassen; auto: was klein ist und abseits vom Rest schwebt',
   'help.dropHidden': 'Dreiecke weglassen, die von außen niemand sieht; alle anderen bleiben, wie '
     + 'sie sind',
+  'help.conform': 'geschlossene Körper, die sich mit Flächen berühren, bekommen dort dieselben '
+    + 'Dreiecke, sodass ein Löser sie verbinden kann; Punkte einer gemeinsamen Fläche zählen einmal',
   'choice.sheets.thicken': 'zu dünnen Körpern machen',
   'choice.sheets.drop': 'weglassen',
   'landmark.selfIntersections': '{count} Dreiecke schneiden andere',

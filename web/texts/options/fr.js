@@ -100,6 +100,7 @@ export default {
   'option.unite': 'Réunir',
   'option.dropBelow': 'Omettre le petit',
   'option.dropHidden': 'Omettre le caché',
+  'option.conform': 'Faces communes',
   'help.keepRims': 'les boucles qui semblent voulues restent ouvertes : les rondes, et les '
     + 'droites où '
     + 'finissent des parois',
@@ -112,6 +113,8 @@ export default {
   'help.dropHidden': 'omettre les triangles que personne ne voit de l’extérieur ; les autres '
     + 'restent '
     + 'tels quels',
+  'help.conform': 'les corps fermés qui se touchent par des faces y ont les mêmes triangles, pour '
+    + 'qu’un solveur les joigne ; les sommets d’une face commune comptent une fois',
   'choice.sheets.thicken': 'en faire des solides minces',
   'choice.sheets.drop': 'les omettre',
   'landmark.selfIntersections': '{count} triangles en coupent d’autres',

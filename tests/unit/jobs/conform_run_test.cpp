@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+#include "jobs/conform_run.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <set>
+#include <string>
+
+#include "base/place.h"
+#include "measure/mesh_report.h"
+#include "remesher.h"
+#include "support/touching_bodies.h"
+#include "support/volume_of.h"
+
+using namespace remesher;
+
+namespace {
+
+using Coordinates = std::array<double, 3>;
+using Corners = std::array<Coordinates, 3>;  // the least first
+
+std::vector<TriangleMesh> bodiesByGroup(const TriangleMesh& mesh) {
+  std::vector<TriangleMesh> bodies(groupCount(mesh));
+  for (TriangleMesh& body : bodies) body.positions = mesh.positions;
+  for (std::size_t t = 0; t < mesh.triangleCount(); ++t)
+    for (std::size_t k = 0; k < 3; ++k)
+      bodies[mesh.groups[t]].indices.push_back(mesh.indices[3 * t + k]);
+  return bodies;
+}
+
+enum class Side { Own, Turned };
+
+std::multiset<Corners> trianglesOf(const TriangleMesh& body, Side side) {
+  std::multiset<Corners> all;
+  for (std::size_t t = 0; t < body.triangleCount(); ++t) {
+    Corners corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 p = canonicalPlace(body.positions[body.indices[3 * t + k]]);
+      corners[k] = {p.x(), p.y(), p.z()};
+    }
+    if (side == Side::Turned) std::swap(corners[1], corners[2]);
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    all.insert(corners);
+  }
+  return all;
+}
+
+std::size_t countCommon(const TriangleMesh& one, const TriangleMesh& other) {
+  const std::multiset<Corners> own = trianglesOf(one, Side::Own);
+  const std::multiset<Corners> its = trianglesOf(other, Side::Turned);
+  std::vector<Corners> common;
+  std::set_intersection(own.begin(), own.end(), its.begin(), its.end(), std::back_inserter(common));
+  return common.size();
+}
+
+bool says(const Report& report, const std::string& code) {
+  return std::any_of(report.warnings.begin(), report.warnings.end(),
+                     [&](const Warning& w) { return w.code == code; });
+}
+
+RemeshOptions conforming(Index vertices) {
+  RemeshOptions options;
+  options.conform = true;
+  options.vertices = vertices;
+  options.quality = Quality::Draft;
+  return options;
+}
+
+// Whether all bodies are closed by themselves, have their volumes and meet nowhere else.
+void checkBodies(const TriangleMesh& given, const RemeshResult& made) {
+  const std::vector<TriangleMesh> before = bodiesByGroup(given), after = bodiesByGroup(made.mesh);
+  REQUIRE(after.size() == before.size());
+  std::size_t common = 0;
+  for (std::size_t i = 0; i < after.size(); ++i) {
+    const MeshReport report = inspectMesh(after[i]);
+    CHECK(report.boundaryEdges == 0);
+    CHECK(report.nonManifoldEdges == 0);
+    CHECK(shapes::volumeOf(after[i]) == doctest::Approx(shapes::volumeOf(before[i])).epsilon(1e-3));
+    for (std::size_t k = 0; k < i; ++k) common += countCommon(after[i], after[k]);
+  }
+  CHECK(!says(made.report, "SELF_INTERSECTIONS_MADE"));
+  REQUIRE(made.report.conform);
+  CHECK(made.report.conform->triangles == common);
+  CHECK(made.report.output->nonManifoldEdges == 0);
+  CHECK(made.report.output->boundaryEdges == 0);
+  CHECK(made.report.output->components == after.size());
+}
+
+}  // namespace
+
+TEST_CASE("conform: bodies share the triangles of their common faces, at the number of vertices") {
+  struct Case {
+    TriangleMesh mesh;
+    std::size_t faces;
+    double area;
+  };
+  for (const Case& c :
+       {Case{shapes::twoBoxes(), 1, 1}, Case{shapes::boxOnPlate(), 1, 1.1},
+        Case{shapes::threeLayers(), 2, 8}, Case{shapes::boxesInAnL(), 1, 0.8},
+        Case{shapes::shaftInBore(), 1, 2.8194}, Case{shapes::eightCubes(), 12, 12}}) {
+    const RemeshResult made = remesh(c.mesh, conforming(900));
+    checkBodies(c.mesh, made);
+    CHECK(made.report.output->vertices == 900);
+    CHECK(countPlaces(made.mesh.positions) == 900);
+    CHECK(made.report.conform->faces == c.faces);
+    CHECK(made.report.conform->area == doctest::Approx(c.area).epsilon(1e-3));
+  }
+}
+
+TEST_CASE("conform: a ball shares its whole surface with the cavity that it fills") {
+  const TriangleMesh mesh = shapes::ballInShell();
+  const RemeshResult made = remesh(mesh, conforming(800));
+  const std::vector<TriangleMesh> bodies = bodiesByGroup(made.mesh);
+  CHECK(countCommon(bodies[0], bodies[1]) == bodies[0].triangleCount());
+  CHECK(made.report.conform->faces == 1);
+  CHECK(made.report.conform->triangles == bodies[0].triangleCount());
+  CHECK(made.report.output->boundaryEdges == 0);
+  CHECK(made.report.output->vertices == 800);
+  CHECK(!says(made.report, "INCONSISTENT_ORIENTATION_FIXED"));
+}
+
+TEST_CASE("conform: limits of every edge hold on common faces") {
+  RemeshOptions options;
+  options.conform = true;
+  options.maxEdge = 0.25;
+  options.minAngle = 20;
+  options.quality = Quality::Draft;
+  const TriangleMesh mesh = shapes::boxOnPlate();
+  const RemeshResult made = remesh(mesh, options);
+  checkBodies(mesh, made);
+  CHECK(made.report.output->wanted->maxEdge->missed == 0);
+  CHECK(made.report.output->wanted->minAngle->kept > 99);
+}
+
+TEST_CASE("conform: meshes of a scene keep their own triangles, spaces and attributes") {
+  const TriangleMesh mesh = shapes::boxOnPlate();
+  std::vector<PlacedMesh> scene;
+  const Transform place(Eigen::Translation3d(1, 2, 3));
+  for (const TriangleMesh& body : bodiesByGroup(mesh)) {
+    scene.push_back({body, {place}});
+    Attribute height{"_HEIGHT", 1, {}};
+    for (const Vec3& p : body.positions) height.values.push_back(float(p.z()));
+    scene.back().mesh.attributes.push_back(height);
+  }
+  scene.push_back({shapes::box({9, 0, 0}, {10, 1, 1}), {place}});
+  const RemeshSceneResult made = remeshScene(scene, conforming(1200));
+  REQUIRE(made.meshes.size() == 3);
+  CHECK(countCommon(made.meshes[0], made.meshes[1]) == made.report.conform->triangles);
+  CHECK(made.report.conform->triangles > 10);
+  CHECK(made.report.output->vertices == 1200);
+  for (std::size_t i = 0; i < 3; ++i) {
+    CHECK(inspectMesh(made.meshes[i]).boundaryEdges == 0);
+    if (i == 2) continue;
+    const Attribute* const height = findAttribute(made.meshes[i], "_HEIGHT");
+    REQUIRE(height);
+    for (std::size_t v = 0; v < made.meshes[i].positions.size(); ++v)
+      CHECK(height->values[v] == doctest::Approx(made.meshes[i].positions[v].z()).epsilon(1e-3));
+  }
+}
+
+TEST_CASE("conform: bodies that do not touch are remeshed as without, and gaps are said") {
+  for (const double gap : {0.3, 0.004}) {
+    const TriangleMesh mesh = shapes::twoBoxes(gap);
+    RemeshOptions options = conforming(300);
+    const RemeshResult with = remesh(mesh, options);
+    options.conform = false;
+    const RemeshResult without = remesh(mesh, options);
+    CHECK(with.mesh.positions == without.mesh.positions);
+    CHECK(with.mesh.indices == without.mesh.indices);
+    CHECK(says(with.report, "NO_BODIES_TOUCH"));
+    CHECK(says(with.report, "BODIES_ALMOST_TOUCH") == (gap < 0.01));
+    CHECK(!with.report.conform);
+  }
+}
+
+TEST_CASE("conform: overlaps beside common faces are said, with a place") {
+  const TriangleMesh mesh =
+      shapes::together({shapes::box({0, 0, 0}, {2, 1, 1}), shapes::box({0, 0, 1}, {1, 1, 2}),
+                        shapes::box({1.6, 0.2, 0.4}, {2.5, 0.7, 1.3})});
+  const RemeshResult made = remesh(mesh, conforming(500));
+  const auto found = std::find_if(made.report.warnings.begin(), made.report.warnings.end(),
+                                  [](const Warning& w) { return w.code == "BODIES_OVERLAP"; });
+  REQUIRE(found != made.report.warnings.end());
+  REQUIRE(found->at);
+  CHECK(found->at->x() > 1);
+}
+
+TEST_CASE("conform: what it cannot keep is refused") {
+  const std::vector<std::function<void(RemeshOptions&)>> others = {
+      [](RemeshOptions& o) { o.quads = true; },
+      [](RemeshOptions& o) { o.repair = Repair::Auto; },
+      [](RemeshOptions& o) { o.prefer = Prefer::Shape; },
+      [](RemeshOptions& o) { o.boundary = Boundary::Keep; },
+      [](RemeshOptions& o) { o.lods = {0.5}; },
+      [](RemeshOptions& o) { o.region = {0}; }};
+  for (const auto& set : others) {
+    RemeshOptions options = conforming(300);
+    set(options);
+    CHECK_THROWS_AS(remesh(shapes::twoBoxes(), options), Error);
+  }
+}
