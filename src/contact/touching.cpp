@@ -84,7 +84,8 @@ class TouchSearch {
     const double far = std::max(high, -low);
     if (far <= limits_.touching) {
       found_.pairs.emplace_back(s, t);
-    } else if (far <= limits_.near) {
+    } else if (far <= limits_.near && std::max(low, -high) > limits_.touching) {
+      // Not a slope that begins where bodies touch.
       ++found_.apart;
       if (far <= found_.gap) return;
       found_.gap = far;

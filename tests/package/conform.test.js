@@ -17,7 +17,8 @@ function objText(bodies) {
   return bodies.map(({ name, box, turn = 0 }, i) => [`o ${name}`,
     ...cornersOf(...box).map((corner) => `v ${corner.join(' ')}`),
     ...quads.flatMap((quad) => [[0, 1, 2], [0, 2, 3]].map((triangle) =>
-      `f ${triangle.map((k) => 8 * i + 1 + quad[(k + turn) % 4]).join(' ')}`))].join('\n')).join('\n');
+      `f ${triangle.map((k) => 8 * i + 1 + quad[(k + turn) % 4]).join(' ')}`))].join('\n'))
+    .join('\n');
 }
 
 const bodies = [{ name: 'plate', box: [[0, 0, 0], [4, 4, 1]] },
@@ -89,7 +90,8 @@ test('the pieces of arrays are bodies', async () => {
   const indices = [0, 8].flatMap((first) => quads.flatMap(([a, b, c, d]) =>
     [a, b, c, a, c, d].map((v) => first + v)));
   const mesh = { positions: new Float64Array(corners.flat()), indices: new Uint32Array(indices) };
-  const { report, mesh: made } = await remesh(mesh, { conform: true, vertices: 400, worker: false });
+  const { report, mesh: made } = await remesh(mesh,
+    { conform: true, vertices: 400, worker: false });
   assert.equal(report.conform.faces, 1);
   assert.equal(report.output.nonManifoldEdges, 0);
   assert.ok(made.positions.length / 3 > 400);
@@ -97,7 +99,8 @@ test('the pieces of arrays are bodies', async () => {
 
 test('what a common face cannot have is refused in a sentence', async () => {
   const given = { name: 'bodies.obj', output: 'obj', conform: true, worker: false };
-  for (const others of [{ repair: 'auto' }, { quads: true }, { lods: [0.5] }, { prefer: 'shape' }]) {
+  const refused = [{ repair: 'auto' }, { quads: true }, { lods: [0.5] }, { prefer: 'shape' }];
+  for (const others of refused) {
     await rejectsWith(remeshFile(file, { ...given, ...others }), 'INVALID_OPTION',
       /conform.*exclude each other/);
   }

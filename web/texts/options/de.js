@@ -108,7 +108,8 @@ export default {
   'help.dropHidden': 'Dreiecke weglassen, die von außen niemand sieht; alle anderen bleiben, wie '
     + 'sie sind',
   'help.conform': 'geschlossene Körper, die sich mit Flächen berühren, bekommen dort dieselben '
-    + 'Dreiecke, sodass ein Löser sie verbinden kann; Punkte einer gemeinsamen Fläche zählen einmal',
+    + 'Dreiecke, sodass ein Löser sie verbinden kann; Punkte einer gemeinsamen Fläche zählen '
+    + 'einmal',
   'choice.sheets.thicken': 'zu dünnen Körpern machen',
   'choice.sheets.drop': 'weglassen',
   'landmark.selfIntersections': '{count} Dreiecke schneiden andere',
