@@ -110,6 +110,18 @@ TEST_CASE("conform: bodies share the triangles of their common faces, at the num
   }
 }
 
+TEST_CASE("conform: borders of common faces stay, however few vertices are asked for") {
+  for (const TriangleMesh& mesh : {shapes::shaftInBore(), shapes::eightCubes()}) {
+    const RemeshResult made = remesh(mesh, conforming(90));
+    CHECK(made.report.output->vertices == 90);
+    CHECK(made.report.output->boundaryEdges == 0);
+    for (const TriangleMesh& body : bodiesByGroup(made.mesh))
+      CHECK(inspectMesh(body).boundaryEdges == 0);
+    CHECK(made.report.conform->area > 2.7);
+  }
+  CHECK_THROWS_AS(remesh(shapes::shaftInBore(), conforming(30)), Error);
+}
+
 TEST_CASE("conform: a ball shares its whole surface with the cavity that it fills") {
   const TriangleMesh mesh = shapes::ballInShell();
   const RemeshResult made = remesh(mesh, conforming(800));

@@ -110,8 +110,10 @@ inline TriangleMesh shaftInBore() {
 // The shell is one body with two pieces of surface: its outside, and the cavity that the ball
 // fills.
 inline TriangleMesh ballInShell() {
-  const TriangleMesh ball = icosphere(4);
+  TriangleMesh ball = icosphere(4);
   TriangleMesh outside = ball, cavity = ball;
+  // Rounded otherwise than the cavity.
+  for (Vec3& p : ball.positions) p += 1e-7 * Vec3(p.y() * p.z(), p.x() * p.x(), p.x() - p.y());
   for (Vec3& p : outside.positions) p *= 2;
   for (std::size_t i = 0; i < cavity.indices.size(); i += 3)
     std::swap(cavity.indices[i + 1], cavity.indices[i + 2]);

@@ -41,6 +41,21 @@ TEST_CASE("gmsh: an OBJ's materials are physical groups, and come back") {
   CHECK(textOf(io::write(again, "o.msh").files[0]) == textOf(written));
 }
 
+TEST_CASE("gmsh: parts that share places share nodes, if the model says so") {
+  io::Model model = io::read(textFile("a.obj", kBaseAndSides));
+  model.source = nullptr;
+  model.parts.push_back(model.parts.front());
+  for (Vec3& p : model.parts.back().mesh.positions) p.z() = -p.z();
+  const auto nodes = [&] {
+    return io::read({"o.msh", io::write(model, "o.msh").files[0].bytes})
+        .parts[0]
+        .mesh.positions.size();
+  };
+  CHECK(nodes() == 8);
+  model.sharesNodes = true;
+  CHECK(nodes() == 5);
+}
+
 TEST_CASE("gmsh: quads stay quads") {
   const io::Model model = io::read(textFile("q.obj",
                                             "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\n"
