@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/fires.h"
 #include "remesh/quads/extract/closing.h"
 #include "remesh/quads/extract/extraction.h"
 #include "remesh/quads/extract/holes.h"
@@ -87,7 +88,8 @@ double costOf(const Extracted& made, double wanted) {
 
 // Searches for a scale whose map is good. Each scale gives another map, because integers are
 // rounded anew, and counts come in steps: so scales on both sides of the best one are tried, ever
-// farther away. most: as many maps are shaped and judged, or fail, before the search ends.
+// farther away. Where a larger scale gives the same map, no map has fewer quads. most: as many maps
+// are shaped and judged, or fail, before the search ends.
 std::optional<Extracted> searchScale(const Domain& domain, const MapMaker& maker, double vertices,
                                      int most) {
   const WorkingMesh& part = domain.part;
@@ -97,7 +99,12 @@ std::optional<Extracted> searchScale(const Domain& domain, const MapMaker& maker
   int shaped = 0, failed = 0;
   std::vector<double> known;          // the marks of the maps that were extracted
   std::optional<SeamlessMap> passed;  // the nearest one, if it was not
+  std::optional<double> last;         // the mark of the map before
   for (int i = 0; i < 3 * kSteps && std::max(shaped, failed) < most; ++i) {
+    if (maker.isSpent()) {
+      fires("quads: no more maps");
+      break;
+    }
     const bool isFirst = i < kSteps;
     if (best ? best->faults == 0 : !isFirst && least == kFarthest) break;
     const int beside = i % 2 == 0 ? i - kSteps : kSteps - i;
@@ -113,12 +120,19 @@ std::optional<Extracted> searchScale(const Domain& domain, const MapMaker& maker
       passed = map;
     }
     length *= std::sqrt(std::clamp(count / vertices, 0.25, 4.0));
+    if (isFirst && last == map->mark && count > vertices) i = kSteps - 1;
+    last = map->mark;
     if (error >= (isFirst ? kCountTolerance : best ? costOf(*best, vertices) : kFarthest)) continue;
     known.push_back(map->mark);
     passed.reset();
     Extracted made = extracted(domain, *map);
     if (made.lost > 0 || countError(double(made.quads.vertices.size()), vertices) >= kFarthest) {
       failed += made.lost > kSteps ? most : 1;  // others lose as much, or nearly
+      continue;
+    }
+    // Shaping lessens neither the faults so far nor, by much, the distance from the number.
+    if (best && costOf(made, vertices) >= costOf(*best, vertices)) {
+      ++shaped;
       continue;
     }
     shape(made.quads, part);
@@ -138,6 +152,10 @@ QuadMesh quadsOf(const Domain& domain, double vertices, SizeMaker& sizesOn) {
   for (Index f = 0; f < sizes.size(); ++f) turned[Face(f)] *= sizes[Face(f)];
   MapMaker maker(closed, field, scaledToMean(std::move(turned), closed));
   if (!maker.isPossible()) return {};
+  if (double(maker.singularCount() + domain.simpler.added) > vertices) {
+    fires("quads: more singular vertices than asked for");
+    return {};
+  }
   // What is opened again is unsound at every scale, and mending it takes a second: one map must do.
   const bool isTorn = closed.mesh().faceCount() > part.mesh().faceCount();
   std::optional<Extracted> found = searchScale(domain, maker, vertices, isTorn ? 1 : kSteps / 2);

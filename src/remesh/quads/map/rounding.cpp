@@ -8,9 +8,15 @@
 #include <numeric>
 #include <vector>
 
+#include "base/fires.h"
+
 namespace remesher {
 
 namespace {
+
+// Multiplications of one solution, which take about a second. A thousand integer variables and as
+// many sums that are too small would take a hundred times as long.
+constexpr double kMostWork = 1e9;
 
 using Sparse = Eigen::SparseMatrix<double>;
 
@@ -167,6 +173,15 @@ std::vector<int> Rounding::allNear(std::size_t required, std::size_t count) cons
   return all;
 }
 
+// About the multiplications for rounding so many variables.
+double Rounding::workFor(const Wholes& wholes, std::size_t some) const {
+  const auto own = double(some), all = double(wholes_);
+  const auto wanted = std::count_if(wholes.wanted.begin(), wholes.wanted.end(),
+                                    [](int want) { return want != 0; });
+  const double pulled = double(wanted) * own * own / 2;
+  return pulled + (2 * own > all ? all * all * all / 3 : own * own * own + own * all);
+}
+
 // Of some variables, in their order, while the others stay. Few others are fixed one by one.
 Minimum Rounding::minimumOf(const Wholes& wholes, const std::vector<int>& some) const {
   if (2 * Eigen::Index(some.size()) > wholes_) {
@@ -262,7 +277,16 @@ Eigen::VectorXd Rounding::roundedWholes(double factor) const {
   Wholes wholes{relaxed, relaxed, std::vector<int>(required_.size(), 0)};
   for (std::size_t k = 0; k < required_.size(); ++k)  // those that would become 0
     wholes.wanted[k] = std::round(sumOf(k, relaxed)) < 1;
-  for (std::vector<int> some = all_; !some.empty(); some = pullShort(wholes)) round(wholes, some);
+  double work = 0;
+  for (std::vector<int> some = all_; !some.empty(); some = pullShort(wholes)) {
+    if (work > kMostWork) {
+      fires("quads: rounding ends early");
+      break;
+    }
+    work += workFor(wholes, some.size());
+    round(wholes, some);
+  }
+  work_ += work;
   return wholes.values;
 }
 

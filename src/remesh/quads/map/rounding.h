@@ -30,8 +30,12 @@ class Rounding {
   // Sums of integer variables that should be at least 1.
   void require(std::vector<IntegerSum> sums) { required_ = std::move(sums); }
 
-  // The solution for the right side times `factor`; integer variables are exact integers.
+  // The solution for the right side times `factor`; integer variables are exact integers. Required
+  // sums stay too small where pulling all of them would take too much work.
   Eigen::VectorXd rounded(double factor) const;
+
+  // About as many multiplications as all calls of `rounded` took together.
+  double work() const { return work_; }
 
  private:
   using Factor =
@@ -40,6 +44,7 @@ class Rounding {
   struct Wholes;
   double sumOf(std::size_t required, const Eigen::VectorXd& values) const;
   std::vector<int> allNear(std::size_t required, std::size_t count) const;
+  double workFor(const Wholes& wholes, std::size_t some) const;
   Minimum minimumOf(const Wholes& wholes, const std::vector<int>& some) const;
   void pull(Minimum& minimum, const Wholes& wholes) const;
   void round(Wholes& wholes, const std::vector<int>& some) const;
@@ -57,6 +62,7 @@ class Rounding {
   Eigen::VectorXd relaxed_;               // the integer variables before rounding
   std::vector<IntegerSum> required_;
   bool isSolvable_ = false;
+  mutable double work_ = 0;
 };
 
 }  // namespace remesher

@@ -17,6 +17,9 @@ namespace {
 
 // Dense work grows with the third power: this many variables take about a second per map.
 constexpr Index kMostWholes = 1500;
+// Multiplications of all maps of a surface. A hundred integer variables take a thousandth of it: it
+// limits surfaces of many curves and handles only.
+constexpr double kMostMapWork = 2e9;
 
 MapPoint turned(const MapPoint& p, int turn) {
   switch (turn) {
@@ -111,6 +114,14 @@ SeamlessMap MapMaker::inWholes(const Eigen::VectorXd& values) const {
     map.corners[Halfedge(h)] = {valueOf(u), valueOf(v)};
   }
   return map;
+}
+
+bool MapMaker::isSpent() const { return rounding_->work() > kMostMapWork; }
+
+std::size_t MapMaker::singularCount() const {
+  std::size_t count = 0;
+  for (Index v = 0; v < singular_.size(); ++v) count += singular_[Vertex(v)] != 0;
+  return count;
 }
 
 // V = χ + F + B/2, B the number of edges on boundaries: from Euler's formula and 4F = 2E − B.

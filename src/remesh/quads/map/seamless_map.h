@@ -68,6 +68,12 @@ class MapMaker {
   // Folded triangles are unfolded as far as possible.
   std::optional<SeamlessMap> map(double length, std::span<const double> known = {}) const;
 
+  // Whether all maps together took so much work that no more should be made.
+  bool isSpent() const;
+
+  // The number of vertices that must be at places of their own: a smaller number has no map.
+  std::size_t singularCount() const;
+
   // The number of vertices of a map's quads, if these are a surface of the mesh's kind.
   double countVertices(const SeamlessMap& map) const;
 

@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "base/fires.h"
 #include "original/surface/surface_walk.h"
 #include "remesh/quads/mesh/quad_check.h"
 #include "remesh/quads/mesh/quad_parts.h"
@@ -19,6 +20,14 @@
 namespace remesher {
 
 namespace {
+
+// So many quads are tried, and one more for each kQuadsPerTry of the mesh: a try takes as long as
+// hundreds of sound quads do. Meshes of this many faults come of curves nearer to each other than
+// sides are long, and stay unsound.
+constexpr std::size_t kMostTried = 80, kQuadsPerTry = 50;
+// Of the many wirings that change quads beside the bad one, these are mended: those with the least
+// faults before.
+constexpr std::size_t kMended = 12;
 
 // How much the quads lack to be sound, as squares over what they have, for several narrow quads are
 // better than one without area; and how irregular they are.
@@ -127,10 +136,11 @@ class Rewiring {
   // The best wiring found for the patch, if it is clearly better. The bad quad is the first one;
   // quads beside it may change too, or the two quads at an edge of it that was turned before.
   std::optional<QuadPatch> run() {
-    consider(start_, true);
-    consider(filled(start_, 0, ground_), false);
+    mend(start_, before_ = faultOfStart());
+    consider(filled(start_, 0, ground_));
     mergeIn(start_, sides_, 0);
     turnAround(0);
+    mendAll();
     if (isMended()) return std::move(best_);
     std::set<Index> beside;
     for (Index i = 0; i < 4; ++i)
@@ -139,7 +149,10 @@ class Rewiring {
       mergeIn(start_, sides_, quad);
       turnAround(quad);
     }
-    if (!isMended()) changeTwice();
+    mendBest();
+    if (isMended()) return std::move(best_);
+    changeTwice();
+    mendBest();
     return std::move(best_);
   }
 
@@ -149,13 +162,13 @@ class Rewiring {
 
   void mergeIn(const QuadPatch& patch, const QuadSides& sides, Index quad) {
     for (Index i = 0; i < 2; ++i)
-      consider(collapsed(patch, sides, sideOf(quad, i), ground_), false);
+      consider(collapsed(patch, sides, sideOf(quad, i), ground_));
   }
 
   void turnAround(Index quad) {
     for (Index i = 0; i < 4; ++i)
       for (const bool isLeft : {false, true})
-        consider(turned(start_, sides_, sideOf(quad, i), isLeft), false);
+        consider(turned(start_, sides_, sideOf(quad, i), isLeft));
   }
 
   void changeTwice() {
@@ -165,7 +178,7 @@ class Rewiring {
         if (!once || !isSound(*once)) continue;
         const QuadSides sides(once->mesh.vertices.size(), once->mesh.quads);
         for (const Index quad : {Index(0), sides_.across(side) / 4}) {
-          consider(filled(*once, quad, ground_), false);
+          consider(filled(*once, quad, ground_));
           mergeIn(*once, sides, quad);
         }
       }
@@ -175,19 +188,44 @@ class Rewiring {
     return check(patch.mesh).empty() && kindOf(patch.mesh) == kind_;
   }
 
-  void consider(std::optional<QuadPatch> patch, bool isStart) {
+  // A wiring, and its faults before its vertices have moved.
+  struct Candidate {
+    QuadPatch patch;
+    Fault unmended;
+  };
+
+  Fault faultOfStart() const {
+    QuadPatch copy = start_;
+    return faultOf(MovingQuads(copy.mesh, ground_), copy);
+  }
+
+  void consider(std::optional<QuadPatch> patch) {
     if (!patch) return;
-    if (!isStart) {
-      removeDoublets(patch->mesh);
-      patch->dropUnusedVertices();
-      if (!isSound(*patch)) return;
-    }
-    MovingQuads quads(patch->mesh, ground_);
-    const Fault unmended = faultOf(quads, *patch);
-    if (isStart) before_ = unmended;
+    removeDoublets(patch->mesh);
+    patch->dropUnusedVertices();
+    if (!isSound(*patch)) return;
+    const Fault unmended = faultOf(MovingQuads(patch->mesh, ground_), *patch);
+    waiting_.push_back({std::move(*patch), unmended});
+  }
+
+  void mendAll() {
+    for (Candidate& one : waiting_) mend(std::move(one.patch), one.unmended);
+    waiting_.clear();
+  }
+
+  void mendBest() {
+    std::stable_sort(waiting_.begin(), waiting_.end(), [](const Candidate& a, const Candidate& b) {
+      return a.unmended.cost() < b.unmended.cost();
+    });
+    if (waiting_.size() > kMended) waiting_.erase(waiting_.begin() + kMended, waiting_.end());
+    mendAll();
+  }
+
+  void mend(QuadPatch patch, const Fault& unmended) {
     if (best_ && least_.cost() <= 0.1 * unmended.irregular) return;
-    mendCorners(quads, patch->isRim);
-    const Fault fault = faultOf(quads, *patch);
+    MovingQuads quads(patch.mesh, ground_);
+    mendCorners(quads, patch.isRim);
+    const Fault fault = faultOf(quads, patch);
     if (!fault.isClearlyBelow(before_)) return;
     if (best_ && fault.cost() >= least_.cost()) return;
     least_ = fault;
@@ -198,6 +236,7 @@ class Rewiring {
   const QuadSides sides_;
   const SurfaceKind kind_;
   const QuadPatch& start_;
+  std::vector<Candidate> waiting_;
   std::optional<QuadPatch> best_;
   Fault before_, least_;
 };
@@ -205,6 +244,7 @@ class Rewiring {
 }  // namespace
 
 void rewire(QuadMesh& mesh, const WorkingMesh& ground) {
+  const std::size_t most = kMostTried + mesh.quads.size() / kQuadsPerTry;
   std::set<Four<Index>> tried;
   for (bool isDone = false; !isDone;) {
     isDone = true;
@@ -214,6 +254,10 @@ void rewire(QuadMesh& mesh, const WorkingMesh& ground) {
     std::vector<QuadPatch> better;
     for (const Index q : unsoundOf(mesh, ground)) {
       if (tried.contains(quads[q])) continue;
+      if (tried.size() == most) {
+        fires("quads: rewiring ends early");
+        break;
+      }
       const std::vector<Index> near = quadsNear(sides, mesh, q);
       if (std::any_of(near.begin(), near.end(), [&](Index n) { return isChanged[n]; })) continue;
       tried.insert(quads[q]);

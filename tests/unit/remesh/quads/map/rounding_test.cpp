@@ -51,6 +51,21 @@ TEST_CASE("rounding: what is to be whole is, and the rest is where the least is 
   }
 }
 
+TEST_CASE("rounding: sums that cannot all be met end, and their work is counted") {
+  const Row row(3);
+  Rounding rounding(row.matrix, row.right, Row::kReals);
+  REQUIRE(rounding.isSolvable());
+  CHECK(rounding.work() == 0);
+  rounding.rounded(1);
+  const double plain = rounding.work();
+  CHECK(plain > 0);
+  const Index first = Row::kReals, second = Row::kReals + 1;
+  rounding.require({{{first, 1}, {second, -1}}, {{first, -1}, {second, 1}}});
+  const Eigen::VectorXd x = rounding.rounded(1);
+  for (Index i = Row::kReals; i < x.size(); ++i) CHECK(x[i] == std::round(x[i]));
+  CHECK(rounding.work() > 3 * plain);  // its own once, and each sum pulled more than once
+}
+
 TEST_CASE("rounding: one whole variable after the other is no worse than all at once") {
   double greedy = 0, atOnce = 0;
   for (std::uint64_t seed = 1; seed < 30; ++seed) {

@@ -51,6 +51,13 @@ TEST_CASE("seamless_map: both ends of every edge agree on the way across, which 
   }
 }
 
+TEST_CASE("seamless_map: a closed surface has four singular vertices or more per unit of χ") {
+  const Mapped sphere(shapes::icosphere(8), 0.3), torus(shapes::torus(36, 16), 0.3);
+  CHECK(sphere.maker.singularCount() >= 8);
+  CHECK(torus.maker.singularCount() % 2 == 0);
+  CHECK(!sphere.maker.isSpent());
+}
+
 TEST_CASE(
     "seamless_map: curves lie on whole lines, corners and singular vertices on their crossings") {
   for (const TriangleMesh& shape :
