@@ -277,6 +277,7 @@ set(small
   src/remesh/quads/shape/finish.cpp
   src/remesh/quads/shape/limbs.cpp
   src/remesh/quads/shape/mending.cpp
+  src/remesh/quads/shape/plane_sides.cpp
   src/remesh/quads/shape/quad_patch.cpp
   src/remesh/quads/shape/quad_star.cpp
   src/remesh/quads/shape/quad_tips.cpp

@@ -170,6 +170,7 @@ add_executable(unit_tests
   tests/unit/remesh/quads/shape/collapse_test.cpp
   tests/unit/remesh/quads/shape/limbs_test.cpp
   tests/unit/remesh/quads/shape/mending_test.cpp
+  tests/unit/remesh/quads/shape/plane_sides_test.cpp
   tests/unit/remesh/quads/shape/quad_tips_test.cpp
   tests/unit/remesh/quads/shape/rewiring_test.cpp
   tests/unit/remesh/quads/shape/smoothing_test.cpp

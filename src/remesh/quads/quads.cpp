@@ -15,6 +15,7 @@
 #include "remesh/quads/pair/pairing.h"
 #include "remesh/quads/quad_sizes.h"
 #include "remesh/quads/shape/finish.h"
+#include "remesh/quads/shape/plane_sides.h"
 #include "remesh/quads/shape/quad_tips.h"
 #include "remesh/quads/shape/smoothing.h"
 
@@ -202,6 +203,8 @@ class QuadMaking {
       MadeQuads one = made(share);
       if (!best || lackOf(one) < lackOf(*best)) best = std::move(one);
     }
+    if (partFromImages(best->mesh, goal_.mirrors, bases_.first()) > 0)
+      settle(best->mesh, bases_.first());
     if (!goal_.isDraft) reachTips(best->mesh, bases_.first(), kSmoothingSweeps);
     return std::move(*best);
   }

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "base/fires.h"
 #include "base/place.h"
 #include "geometry/extent.h"
 #include "geometry/triangle_tree.h"
@@ -23,6 +24,10 @@
 namespace remesher {
 
 namespace {
+
+// Where images of some quads meet off the planes, as at slivers that a plane cuts off, those of
+// another number may not: numbers that are as good are tried, then some that are said to be missed.
+constexpr double kForcedShares[] = {1, 0.99, 1.01, 0.98, 1.02, 0.97, 1.03};
 
 // What the caller painted, marked or keeps may lie on one side only.
 std::string oneSided(const RemeshOptions& options) {
@@ -61,6 +66,19 @@ double sideOf(const TriangleMesh& whole, const Mirrors& mirrors) {
   return std::sqrt(extentOf(whole).area / double(mirrors.vertices));
 }
 
+// The guides that are nowhere farther from the surface than a side: where planes are forced, a
+// mirrored guide may be far from the other side's surface.
+std::vector<Guide> guidesNear(const TriangleMesh& half, const std::vector<Guide>& guides,
+                              double side) {
+  const TriangleTree tree(half.positions, half.indices);
+  std::vector<Guide> near;
+  for (const Guide& guide : guides)
+    if (std::all_of(guide.points.begin(), guide.points.end(),
+                    [&](const Vec3& p) { return tree.nearest(p).squaredDistance <= side * side; }))
+      near.push_back(guide);
+  return near;
+}
+
 struct Wished {
   const Mirrors& mirrors;
   const std::vector<VertexPair>& edges;  // that sides of quads are to follow
@@ -85,7 +103,9 @@ std::optional<RemeshOutcome> mirroredBy(const Wished& wished, const InputAttribu
   options.featureEdges = edgesIn(*half, wished.edges, whole.input());
   const double side = sideOf(whole.input(), mirrors);
   GuidesOfHalf guides = guidesInFront(options.guides, mirrors, side);
-  options.guides = std::move(guides.guides);
+  options.guides = guides.guides;
+  if (wished.kind == Kind::Any) options.guides = guidesNear(half->mesh, guides.guides, side);
+  const std::size_t lost = guides.guides.size() - options.guides.size();
   RemeshOutcome made = remeshHalf(half->mesh, options);
   if (made.stopped != Stopped::Target && wished.kind == Kind::AsGiven) return {};
   std::optional<PlacedQuads> joined = joinedImages({std::move(made.mesh), std::move(made.places)},
@@ -102,6 +122,11 @@ std::optional<RemeshOutcome> mirroredBy(const Wished& wished, const InputAttribu
                              "The quads are mirrored, and guides with them: what lies behind a "
                              "plane was mirrored, and is left out where its image has a guide.",
                              guides.moved});
+  if (lost > 0)
+    made.warnings.push_back({"GUIDES_NOT_KEPT",
+                             "Guides behind a plane are left out: mirrored they are farther from "
+                             "the surface in front of it than sides of quads are long.",
+                             lost});
   made.mirrors = mirrors.planes;
   return made;
 }
@@ -172,12 +197,20 @@ RemeshOutcome remeshForced(const TriangleMesh& input, const RemeshOptions& optio
   edges.add(candidates.seams.borders);
   for (const MirrorPlane& plane : mirrors.planes) edges.addImages(plane);
   const InputAttributes whole(input, std::move(built), std::move(candidates.seams.chartless));
-  std::optional<RemeshOutcome> made =
-      mirroredBy({mirrors, edges.images(), Kind::Any}, whole, options, remeshHalf);
+  const std::size_t asked = mirrors.vertices;
+  std::optional<RemeshOutcome> made;
+  for (const double share : kForcedShares) {
+    mirrors.vertices = std::size_t(std::lround(share * double(asked)));
+    made = mirroredBy({mirrors, edges.images(), Kind::Any}, whole, options, remeshHalf);
+    if (made || options.exact) break;
+    fires("symmetry: forced with another number");
+  }
   if (!made)
     throw Error(ErrorCode::InvalidOption,
                 "symmetry: the quads of one side and their mirror images make no surface.",
                 "Ask for another number of vertices, or leave symmetry out.");
+  std::erase_if(made->warnings, isNumberNote);
+  noteNumber(*made, {asked, options.exact});
   made->warnings.push_back({"QUADS_MADE_SYMMETRIC", std::move(forced.said), mirrors.planes.size()});
   return std::move(*made);
 }

@@ -2,6 +2,7 @@
 #include "remesh/symmetry/mirrored_guides.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "geometry/triangle.h"
@@ -14,6 +15,9 @@ namespace {
 // What is nearer to a plane than this share of what counts as near lies on it: a guide along a
 // plane is not cut into pieces by rounding.
 constexpr double kOnPlane = 0.05;
+// A guide that is nowhere farther from a plane than this is left out: sides of quads lie on the
+// plane there, and no row of quads fits between.
+constexpr double kAlongPlane = 0.5;
 
 // The pieces of a guide on either side of a plane.
 class GuidePieces {
@@ -140,6 +144,14 @@ GuidesOfHalf guidesInFront(const std::vector<Guide>& guides, const Mirrors& mirr
       }
       pieces = std::move(next);
     }
+    const auto isAlongPlane = [&](const Guide& piece) {
+      return std::any_of(mirrors.planes.begin(), mirrors.planes.end(), [&](const auto& plane) {
+        return std::all_of(piece.points.begin(), piece.points.end(), [&](const Vec3& p) {
+          return std::abs(plane.distance(p)) <= kAlongPlane * near;
+        });
+      });
+    };
+    std::erase_if(pieces, isAlongPlane);
     std::erase_if(pieces, [&](const Guide& piece) {
       return std::any_of(half.guides.begin(), half.guides.end(), [&](const Guide& other) {
         return isAlong(piece, other, near) && isAlong(other, piece, near);

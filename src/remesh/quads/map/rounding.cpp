@@ -176,8 +176,8 @@ std::vector<int> Rounding::allNear(std::size_t required, std::size_t count) cons
 // About the multiplications for rounding so many variables.
 double Rounding::workFor(const Wholes& wholes, std::size_t some) const {
   const auto own = double(some), all = double(wholes_);
-  const auto wanted = std::count_if(wholes.wanted.begin(), wholes.wanted.end(),
-                                    [](int want) { return want != 0; });
+  const auto wanted =
+      std::count_if(wholes.wanted.begin(), wholes.wanted.end(), [](int want) { return want != 0; });
   const double pulled = double(wanted) * own * own / 2;
   return pulled + (2 * own > all ? all * all * all / 3 : own * own * own + own * all);
 }

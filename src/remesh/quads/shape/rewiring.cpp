@@ -161,8 +161,7 @@ class Rewiring {
   bool isMended() const { return best_ && least_.missing < 0.5; }
 
   void mergeIn(const QuadPatch& patch, const QuadSides& sides, Index quad) {
-    for (Index i = 0; i < 2; ++i)
-      consider(collapsed(patch, sides, sideOf(quad, i), ground_));
+    for (Index i = 0; i < 2; ++i) consider(collapsed(patch, sides, sideOf(quad, i), ground_));
   }
 
   void turnAround(Index quad) {

@@ -95,6 +95,24 @@ TEST_CASE("guided: where planes mirror the quads, the guide of one side is on bo
   CHECK(chainOn(made.mesh, 0.8, {1, 0, 0}).isClosed);
 }
 
+TEST_CASE("guided: where planes are forced, a guide goes if its image is far from the other side") {
+  // Narrower at one end.
+  const auto narrowed = [](Vec3& p) {
+    if (p.x() < 0) p.tail<2>() *= 1 + 0.7 * p.x();
+  };
+  TriangleMesh egg = shapes::icosphere(16);
+  for (Vec3& p : egg.positions) narrowed(p);
+  RemeshOptions options = unmirrored(600);
+  options.guides = {slantingCircle(0.5, {-1, 0, 0})};
+  for (Vec3& p : options.guides[0].points) narrowed(p);
+  for (const Symmetry forced : {Symmetry::X, Symmetry::Y, Symmetry::Z}) {
+    options.symmetry = forced;
+    const RemeshOutcome made = remeshSurface(egg, options, {});
+    CHECK(made.mirrors.size() == 1);
+    CHECK(saidIn(made, "GUIDES_NOT_KEPT") == (forced == Symmetry::X));
+  }
+}
+
 TEST_CASE("guided: guides go to the connected part that is nearest") {
   TriangleMesh two = shapes::icosphere(8);
   const auto count = Index(two.positions.size());
