@@ -85,7 +85,8 @@ bool mayReplace(const TriangleMesh& original, const RemeshOutcome& crossed,
 
 }  // namespace
 
-// Simplification does not look for self-intersections, which a repaired surface must not have.
+// Simplification does not look for self-intersections, which a surface that repair has made sound
+// must not have.
 RemeshOutcome remeshAsShown(PartInput part, const PartTarget& target, const Progress& progress) {
   try {
     RemeshOptions options = optionsFor(target);
@@ -93,7 +94,7 @@ RemeshOutcome remeshAsShown(PartInput part, const PartTarget& target, const Prog
     if (options.repair == Repair::Off) return outcome;
     const Rule& rule = choose(Decision::Repaired, [&](Fact fact) {
       if (fact == Fact::SimplifiedTaken) return outcome.prefer == Prefer::Shape;
-      return fact == Fact::ResultUnsound && !isSound(outcome.mesh);
+      return fact == Fact::ResultUnsound && !isSound(outcome.mesh) && isSound(part.mesh);
     });
     if (rule.taken == Candidate::AsMade) return outcome;
     if (leavesNumberOpen(options)) options.vertices = Index(outcome.vertices);

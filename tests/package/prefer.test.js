@@ -148,8 +148,11 @@ test('a sound mesh is remeshed as if repair had not been asked for', async () =>
   }
 });
 
-test('a mesh for simulation keeps angles and shape, with as many vertices as both take', async () => {
-  const { report } = await remesh(plate(), { preset: 'simulation', worker: false });
-  assert.ok(report.output.minAngle.worst >= 20, `${report.output.minAngle.worst}`);
-  assert.ok(report.fidelity.hausdorff <= 0.05, `${report.fidelity.hausdorff}`);
+test('a mesh for simulation keeps its angles, and its shape or says how far it is', async () => {
+  for (const part of [plate(), gear()]) {
+    const { report } = await remesh(part, { preset: 'simulation', worker: false });
+    const isSaid = report.warnings.some(({ code }) => code === 'SHAPE_TAKES_MORE');
+    assert.ok(report.output.minAngle.worst >= 20, `${report.output.minAngle.worst}`);
+    assert.ok(report.fidelity.hausdorff <= (isSaid ? 0.1 : 0.05), `${report.fidelity.hausdorff}`);
+  }
 });
