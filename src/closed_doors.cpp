@@ -65,7 +65,7 @@ RemeshOutcome remeshToAngle(const TriangleMesh&, Welding, const RemeshOptions&, 
 }
 
 ConformRun::ConformRun(const std::vector<io::Part>& given, const RemeshOptions& options)
-    : given_(given) {
+    : parts_(&given) {
   if (options.conform) refuse("Common faces");
 }
 RemeshOptions ConformRun::applied(RemeshOptions options) const { return options; }

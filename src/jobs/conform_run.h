@@ -1,27 +1,26 @@
 // SPDX-License-Identifier: MIT
-// Bodies that touch share the triangles of their common face: they become one part, a complex of
-// surfaces that has each common face once, and the result is told apart into the bodies again.
+// Bodies that touch share the triangles of their common face, if the options ask for it.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "base/options.h"
-#include "contact/common_faces.h"
 #include "io/model/model.h"
-#include "jobs/body_parts.h"
 #include "jobs/scene_run.h"
 
 namespace remesher {
 
+class TouchingParts;
+
 class ConformRun {
  public:
-  // Does nothing unless the options ask for it, and only warns where no bodies touch. `given` must
-  // outlive the object. Throws the Errors of requireValid.
+  // `given` must outlive the object. Throws the Errors of requireValid, and INVALID_OPTION for
+  // options that exclude `conform`.
   ConformRun(const std::vector<io::Part>& given, const RemeshOptions& options);
 
-  // What is to be remeshed: the complex in the place of its first part, and the parts that touch
-  // nothing.
-  const std::vector<io::Part>& parts() const { return isActive() ? parts_ : given_; }
+  // What is to be remeshed: see TouchingParts.
+  const std::vector<io::Part>& parts() const { return *parts_; }
 
   // The options for these parts.
   RemeshOptions applied(RemeshOptions options) const;
@@ -30,30 +29,8 @@ class ConformRun {
   void finish(std::vector<SceneRun>& runs) const;
 
  private:
-  bool isActive() const { return complexAt_ < parts_.size(); }
-  void find(const RemeshOptions& options);
-  void gather();
-  void build(const RemeshOptions& options);
-  void warnOfTouching();
-  void warnOfCrossings();
-  std::vector<char> partsThatTouch() const;
-  void setParts(const std::vector<char>& isMember, const RemeshOptions& options);
-  std::size_t partOf(Index group) const;
-  std::vector<std::vector<OwnTriangle>> toldApart(const TriangleMesh& made) const;
-  // ofPart: per part given its bodies.
-  void replaceParts(SceneRun& run, const std::vector<std::vector<TriangleMesh>>& ofPart) const;
-  void describe(SceneRun& run, const std::vector<std::vector<TriangleMesh>>& ofPart,
-                std::size_t places) const;
-
-  const std::vector<io::Part>& given_;
-  std::vector<Index> firstGroups_;  // per part given, in `all_`
-  TriangleMesh all_;                // the parts that may touch, in the world
-  BodyComplex complex_;
-  std::vector<BodySides> sides_;  // per group of the complex
-  std::vector<io::Part> parts_;
-  std::size_t complexAt_ = 0;         // its number among `parts_`
-  std::vector<std::size_t> numbers_;  // per part given that of `parts_`
-  std::vector<Warning> warnings_;
+  std::shared_ptr<const TouchingParts> touching_;  // null unless asked for
+  const std::vector<io::Part>* parts_;
 };
 
 }  // namespace remesher
