@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "geometry/triangle.h"
 #include "support/touching_bodies.h"
@@ -62,7 +63,7 @@ TEST_CASE("contact: each common face is there once, and each body stays closed")
     TriangleMesh mesh;
     double area;
   };
-  const double bore = 24 * std::sin(M_PI / 24) * 0.9;
+  const double bore = 24 * std::sin(std::numbers::pi / 24) * 0.9;
   for (const Case& c : {Case{shapes::twoBoxes(), 1}, Case{shapes::boxOnPlate(), 1.1},
                         Case{shapes::threeLayers(), 8}, Case{shapes::boxesInAnL(), 0.8},
                         Case{shapes::shaftInBore(), bore}, Case{shapes::eightCubes(), 12}}) {
