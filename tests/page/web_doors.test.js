@@ -76,6 +76,7 @@ test('a unit is kept with the model, and numbers follow it; glTF is metres', asy
   await page.click('#purpose-simulation');
   assert.match(await page.textContent('.dial label'), /, in$/);
   assert.match(await verdict(page), / in \(/);
+  assert.match(await page.textContent('#visit-largest'), / in \(/);
   // Experts see lengths in the same unit, and percentages as lengths, too.
   assert.match(await page.textContent('#target-kind option[value=edgeLength]'), /, in$/);
   assert.equal(await page.textContent('label[for=option-maxEdge] .unit'), ', in');

@@ -111,12 +111,13 @@ function visitorOf({ surveying }, { code, at }) {
 }
 
 /** @param {Page} page */
-function showDistances({ surveying, panel }) {
+function showDistances(page) {
+  const { surveying, panel } = page;
   const box = document.getElementById('distances');
   const { distances, diagonal } = surveying;
   if (!box || !distances) return;
   box.hidden = false;
-  box.replaceChildren(...distanceView(distances, diagonal, {
+  box.replaceChildren(...distanceView(distances, { diagonal, scale: scaleIn(page) }, {
     onVisit: () => surveying.visitLargest(),
     onMaxError: (error, isChosen) => panel.ask('maxError', error, isChosen),
   }));

@@ -3,11 +3,12 @@
 // to allow less: dragging the handle sets the largest error.
 import { distanceColors } from '../base/colors.js';
 import { element } from '../base/dom.js';
-import { percent } from '../base/format.js';
+import { length, percent } from '../base/format.js';
 import { t } from '../base/i18n.js';
-import { lengthInWords } from './legend.js';
 
 /** @typedef {import('../survey/surface.js').Distances} Distances */
+/** diagonal: of the original; scale: how its lengths are said.
+ * @typedef {{ diagonal: number, scale: import('../model/units.js').Scale }} Measure */
 
 /** @param {number[]} bins */
 function bars(bins) {
@@ -21,17 +22,18 @@ function bars(bins) {
 }
 
 /**
- * @param {Distances} distances @param {number} diagonal of the original
+ * @param {Distances} distances @param {Measure} measure
  * @param {{ onVisit: () => void, onMaxError: (percent: number, isChosen: boolean) => void }} acts
  */
-export function distanceView({ bins, largest }, diagonal, { onVisit, onMaxError }) {
+export function distanceView({ bins, largest }, { diagonal, scale }, { onVisit, onMaxError }) {
+  const inUnit = (/** @type {number} */ value) => `${length(value / scale.size)} ${scale.name}`;
   const most = 100 * largest / diagonal;
   const value = element('output', { htmlFor: 'error-handle' }, '–');
   const handle = element('input', { id: 'error-handle', type: 'range', min: 0, max: 1,
     step: 0.01, value: '1', 'aria-label': t('distance.handle') });
   const change = (/** @type {boolean} */ isChosen) => () => {
     const error = Math.max(0.001, Number((handle.valueAsNumber * most).toPrecision(2)));
-    value.value = percent(error);
+    value.value = `${percent(error)} (${inUnit(error * diagonal / 100)})`;
     onMaxError(error, isChosen);
   };
   handle.addEventListener('input', change(false));
@@ -44,6 +46,6 @@ export function distanceView({ bins, largest }, diagonal, { onVisit, onMaxError 
       element('span', {}, t('distance.handle'), ' ', value),
       element('button', { type: 'button', className: 'link', id: 'visit-largest',
         onclick: onVisit }, t('distance.largest',
-        { distance: lengthInWords(largest, diagonal) }))),
+        { distance: `${inUnit(largest)} (${percent(most)})` }))),
   ];
 }

@@ -30,7 +30,7 @@ function angleBar(faces) {
 
 /** A length in model units and in percent of the model's diagonal.
  * @param {number} value @param {number} diagonal */
-export const lengthInWords = (value, diagonal) =>
+const lengthInWords = (value, diagonal) =>
   `${length(value)} (${percent(100 * value / diagonal)})`;
 
 /** @param {number} largest distance @param {number} diagonal */
