@@ -3,6 +3,9 @@
 
 #include <emscripten/emscripten.h>
 
+#include <cstdint>
+#include <memory>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -26,6 +29,52 @@ void forEach(const val& array, Visit visit) {
 
 File fileFrom(const val& object) {
   return {object["name"].as<std::string>(), copied<std::uint8_t>(object["bytes"])};
+}
+
+val viewOf(std::span<std::uint8_t> bytes) {
+  return val(typed_memory_view(bytes.size(), bytes.data()));
+}
+
+// An array that stays where it is, in JavaScript.
+class ArraySource : public ByteSource {
+ public:
+  explicit ArraySource(const val& bytes) : bytes_(bytes), size_(bytes["length"].as<double>()) {}
+
+  std::uint64_t size() const override { return std::uint64_t(size_); }
+  bool read(std::uint64_t at, std::span<std::uint8_t> into) const override {
+    const double begin = double(at);
+    viewOf(into).call<void>("set",
+                            bytes_.call<val>("subarray", begin, begin + double(into.size())));
+    return true;
+  }
+
+ private:
+  val bytes_;
+  double size_;
+};
+
+// A file that is open. blocks: { size, read: (at, array) => whether the array could be filled }
+class OpenSource : public ByteSource {
+ public:
+  explicit OpenSource(const val& blocks) : blocks_(blocks) {}
+
+  std::uint64_t size() const override { return std::uint64_t(blocks_["size"].as<double>()); }
+  bool read(std::uint64_t at, std::span<std::uint8_t> into) const override {
+    return blocks_.call<bool>("read", double(at), viewOf(into));
+  }
+
+ private:
+  val blocks_;
+};
+
+// The main file of a request stays outside of WebAssembly's memory, which its mesh needs.
+File mainFileFrom(const val& object) {
+  File file{object["name"].as<std::string>(), {}};
+  if (const val blocks = object["blocks"]; !blocks.isUndefined())
+    file.source = std::make_shared<OpenSource>(blocks);
+  else
+    file.source = std::make_shared<ArraySource>(object["bytes"]);
+  return file;
 }
 
 }  // namespace
@@ -65,7 +114,7 @@ std::vector<PlacedMesh> sceneFrom(const val& list) {
 }
 
 FileBundle bundleFrom(const val& object) {
-  FileBundle bundle{fileFrom(object), {}, {}};
+  FileBundle bundle{mainFileFrom(object), {}, {}};
   forEach(object["resources"],
           [&](const val& resource) { bundle.resources.push_back(fileFrom(resource)); });
   if (const val pictures = object["pictures"]; !pictures.isUndefined())

@@ -89,6 +89,7 @@ set(small
   src/base/legible.cpp
   src/base/phase_clock.cpp
   src/base/place.cpp
+  src/base/room.cpp
   src/base/triangle_mesh.cpp
   src/boolean.cpp
   src/contact/body_soup.cpp
@@ -125,6 +126,7 @@ set(small
   src/io/gltf/tree/gltf_pointers.cpp
   src/io/model/appending.cpp
   src/io/model/bake.cpp
+  src/io/model/byte_reader.cpp
   src/io/model/companions.cpp
   src/io/model/conventions.cpp
   src/io/model/corner_weld.cpp

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "io/formats.h"
+#include "io/model/byte_reader.h"
 #include "io/model/same_mesh.h"
 #include "jobs/baking.h"
 #include "jobs/bare_materials.h"
@@ -66,7 +67,7 @@ RemeshFileResult repairFile(const FileBundle& input, const std::string& outputNa
   const bool keepsLook = painting.textures == Textures::Auto || painting.textures == Textures::Keep;
   if (keepsLook && repaired.isUnchanged && mayStay(input, outputName, model)) {
     report.warnings = joined(model.warnings, report.warnings);
-    return {{{outputName, input.file.bytes}}, {}, timed(std::move(report), clock)};
+    return {{{outputName, io::whole(input.file).bytes}}, {}, timed(std::move(report), clock)};
   }
   io::WrittenFiles written = inFile(input.file.name, [&] { return io::write(model, outputName); });
   report.warnings = joined(joined(model.warnings, report.warnings), written.warnings);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What differs in Node: where the engines are and how a worker is started.
 
+import { readSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 import { availableParallelism } from 'node:os';
@@ -45,6 +46,23 @@ export async function compileCodec(path) {
   return WebAssembly.compile(await readFile(createRequire(import.meta.url).resolve(path)));
 }
 
+/**
+ * Fills an array with the bytes of an open file from a place on; false if it cannot be read so far.
+ * @param {number} fd @param {number} at @param {Uint8Array} into
+ */
+export function readBlock(fd, at, into) {
+  try {
+    for (let filled = 0; filled < into.length;) {
+      const count = readSync(fd, into, filled, into.length - filled, at + filled);
+      if (count === 0) return false;
+      filled += count;
+    }
+    return true;
+  } catch {
+    return false;
+  }
+}
+
 /** @typedef {import('./api/client.js').WorkerPort} WorkerPort */
 /** @typedef {import('./base/messages.js').ImagePort} ImagePort */
 
@@ -80,4 +98,5 @@ export function spawnForImages() {
 export const cores = availableParallelism;
 
 /** Runs the jobs of all the package's functions, whichever entry they come from. */
-export const client = new Client({ compileArrays, compileUrl, spawn, cores, compileCodec });
+export const client = new Client({ compileArrays, compileUrl, spawn, cores, compileCodec,
+  readBlock });

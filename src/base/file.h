@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,10 +13,27 @@
 
 namespace remesher {
 
+// Bytes that are read in blocks, wherever they are.
+class ByteSource {
+ public:
+  ByteSource() = default;
+  ByteSource(const ByteSource&) = delete;
+  ByteSource& operator=(const ByteSource&) = delete;
+  virtual ~ByteSource() = default;
+
+  virtual std::uint64_t size() const = 0;
+  // Large enough that fetching a block costs little beside reading what is in it.
+  virtual std::size_t blockBytes() const { return std::size_t{1} << 20; }
+  // Fills `into`, which is not empty, with the bytes from `at` on, all before the end; false if
+  // they cannot be read.
+  virtual bool read(std::uint64_t at, std::span<std::uint8_t> into) const = 0;
+};
+
 // The extension of `name` tells the format.
 struct File {
   std::string name;
-  std::vector<std::uint8_t> bytes;
+  std::vector<std::uint8_t> bytes;                // none if there is a source
+  std::shared_ptr<const ByteSource> source = {};  // null: `bytes` are all
 };
 
 inline std::string_view asText(const File& file) {

@@ -7,7 +7,10 @@
 #include <cstdint>
 #include <string>
 
+#include "io/model/byte_reader.h"
 #include "io/model/resources.h"
+#include "io/ply/ply.h"
+#include "io/ply/ply_header.h"
 #include "io/stl/stl.h"
 #include "io/text/off.h"
 #include "io/text/text_scanner.h"
@@ -105,9 +108,9 @@ std::uint32_t numberAt(std::string_view bytes, std::size_t at) {
 }
 
 // Exactly as long as its number of facets says, which no other file is by chance.
-bool isBinaryStl(std::string_view bytes) {
-  if (bytes.size() <= kFacetsAt) return false;
-  return bytes.size() == kFacetsAt + std::uint64_t{kFacetBytes} * numberAt(bytes, kHeaderBytes);
+bool isBinaryStl(std::string_view begin, std::uint64_t size) {
+  if (begin.size() <= kFacetsAt) return false;
+  return size == kFacetsAt + std::uint64_t{kFacetBytes} * numberAt(begin, kHeaderBytes);
 }
 
 bool isTextStl(std::string_view text) {
@@ -197,13 +200,21 @@ Content contentOfText(std::string_view text) {
 
 Content contentOf(const File& file) {
   const std::string_view bytes = asText(file);
-  if (isBinaryStl(bytes)) return {".stl", {}, {}};
+  if (isBinaryStl(bytes, bytes.size())) return {".stl", {}, {}};
   for (const Magic& magic : kMagics)
     if (holdsAt(bytes, magic)) return magic.content;
   if (bytes.starts_with("PK\x03\x04")) return contentOfZip(bytes);
   if (saysLength(bytes, "BM")) return {{}, "a picture (BMP)", kNoModel};
   if (saysLength(bytes, "MM")) return {{}, "a 3DS file", kExport};
   return contentOfText(withoutMarkAndBlanks(bytes));
+}
+
+Content contentInBlocks(const File& file) {
+  const File begin = beginOf(file, kHeaderLooked);
+  if (isBinaryStl(asText(begin), fileSize(file))) return {".stl", {}, {}};
+  const Content content = contentOf(begin);
+  const bool isRead = content.extension == ".ply" && isBinaryPly(asText(begin));
+  return isRead ? content : Content{};
 }
 
 }  // namespace remesher::io

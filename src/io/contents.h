@@ -17,4 +17,7 @@ struct Content {
 // Of a file that is too vague, as an OFF without its first word, nothing is told.
 Content contentOf(const File& file);
 
+// What a file with a source is, if it is of a format that is read in blocks: binary PLY or STL.
+Content contentInBlocks(const File& file);
+
 }  // namespace remesher::io

@@ -12,6 +12,7 @@
 #include "io/gltf/gltf.h"
 #include "io/gltf/gltf_union.h"
 #include "io/model/bake.h"
+#include "io/model/byte_reader.h"
 #include "io/model/companions.h"
 #include "io/model/dropped.h"
 #include "io/model/near_origin.h"
@@ -114,13 +115,15 @@ std::size_t mappedGroups(const Model& model) {
 }  // namespace
 
 Model read(const File& file, const std::vector<File>& resources) {
-  if (file.bytes.empty())
+  const Content inBlocks = file.source ? contentInBlocks(file) : Content{};
+  if (file.source && inBlocks.extension.empty()) return read(whole(file), resources);
+  if (!file.source && file.bytes.empty())
     throw Error(ErrorCode::EmptyFile, legible(file.name) + " is empty.",
                 "Was it copied completely?");
   if (isUtf16(file))
     throw Error(ErrorCode::Unsupported, legible(file.name) + " is text in UTF-16.",
                 "Save it as UTF-8.");
-  const Content content = contentOf(file);
+  const Content content = file.source ? inBlocks : contentOf(file);
   const Format* const named = findByExtension(withoutGz(file.name));
   const Format* const found = findByBytes(content);
   if (!content.what.empty() && !mayBe(named, file))

@@ -14,7 +14,7 @@ import { after, test } from 'node:test';
 import { parseCommandLine } from '../../dist/cli/cli_arguments.js';
 import { errorInWords, exitStatusOf } from '../../dist/cli/terminal.js';
 import { referencesOf } from '../../dist/codecs/resources.js';
-import { readInput } from '../../dist/files/input.js';
+import { withInput } from '../../dist/files/input.js';
 import { root } from '../support/tree.js';
 import { offText, torus } from '../support/shapes.js';
 
@@ -227,7 +227,8 @@ test('a file that may not be read has no wrong name', async (t) => {
   const denied = Object.assign(new Error('denied'), { code: 'EACCES' });
   t.mock.method(promises, 'open', () => Promise.reject(denied));
   syncBuiltinESMExports();
-  const error = await readInput(inFolder('torus.off')).catch((refusal) => refusal);
+  const error = await withInput(inFolder('torus.off'), async () => {})
+    .catch((refusal) => refusal);
   t.mock.restoreAll();
   syncBuiltinESMExports();
   assert.match(errorInWords(error), /torus\.off cannot be read: permission is denied\. \[/);

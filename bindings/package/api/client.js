@@ -37,6 +37,7 @@ import { Modules, neededBy } from './modules.js';
  * @property {() => number} cores how many workers can be busy at once
  * @property {(path: string) => Promise<WebAssembly.Module>} [compileCodec] a file of another
  *   package; without it, its own code finds it
+ * @property {import('../worker/engine.js').ReadBlock} [readBlock] where files can be read in blocks
  * @property {(text: string) => string} [words] how the caller knows the options that the core's
  *   sentences name by flags: as JavaScript does, if not given
  */
@@ -278,7 +279,8 @@ export class Client {
     const loaded = await this.modules.load(needed);
     if (this.#engine?.name !== loaded.engine) {
       this.#engine = new Engine(loaded,
-        { load: this.#codecs?.load, compile: this.#platform.compileCodec });
+        { load: this.#codecs?.load, compile: this.#platform.compileCodec,
+          readBlock: this.#platform.readBlock });
     }
     return this.#engine;
   }

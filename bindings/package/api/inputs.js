@@ -5,6 +5,7 @@
 import { RemeshError } from '../base/errors.js';
 import { withoutGz } from '../base/formats.js';
 import { legible } from '../base/legible.js';
+import { OpenFile } from '../base/open_file.js';
 
 /** @import {
  *   FileRequest, Indices, Mesh, MeshAttribute, NumberArray, PlacedMesh,
@@ -199,7 +200,7 @@ export function buffersOf(mesh) {
 
 /** @param {unknown} value @returns {value is Bytes} */
 export function isBytes(value) {
-  return value instanceof Uint8Array || value instanceof ArrayBuffer
+  return value instanceof Uint8Array || value instanceof ArrayBuffer || value instanceof OpenFile
     || (typeof Blob !== 'undefined' && value instanceof Blob);
 }
 
@@ -210,6 +211,7 @@ async function copyBytes(value, label) {
       `${label} must be a Uint8Array, an ArrayBuffer or a Blob.`);
   }
   try {
+    if (value instanceof OpenFile) return value.bytes;
     if (value instanceof Uint8Array) return new Uint8Array(value);
     const buffer = value instanceof ArrayBuffer ? value.slice(0) : await value.arrayBuffer();
     return new Uint8Array(buffer);
@@ -242,6 +244,7 @@ export async function fileRequest(bytes, { name, output, resources = {} }) {
     bytes: await copyBytes(bytes, 'The file'),
     resources: files,
     output: outputName(givenName, output),
+    ...(bytes instanceof OpenFile && bytes.handle ? { handle: bytes.handle } : {}),
   };
 }
 

@@ -2,8 +2,11 @@
 // What a file is by its bytes, where that must be known before the core, which decides it in the
 // same way (src/io/contents.h), sees the file: files are called by wrong names.
 
+/** So many bytes at the beginning of a file say what it is. */
+export const bytesLooked = 65536;
+
 const beginOf = (/** @type {Uint8Array} */ bytes) =>
-  new TextDecoder().decode(bytes.subarray(0, 65536)); // leaves out a byte order mark
+  new TextDecoder().decode(bytes.subarray(0, bytesLooked)); // leaves out a byte order mark
 
 /** Whether it may be glTF: a GLB, or JSON. @param {Uint8Array} bytes */
 export function isGltf(bytes) {
@@ -15,4 +18,15 @@ export function isObj(bytes) {
   const isEmpty = (/** @type {string} */ line) => /^[ \t\v\f]*(#|$)/.test(line);
   const statement = beginOf(bytes).split(/[\r\n]/).find((line) => !isEmpty(line)) ?? '';
   return /^[ \t\v\f]*(v|vt|vn|vp|f|l|p|o|g|s|mtllib|usemtl)[ \t]/.test(statement);
+}
+
+/** Whether nothing but the core, which reads these in blocks, needs more of a file than its
+ * beginning: a binary STL, as long as its number of facets says, or a binary PLY.
+ * @param {Uint8Array} begin @param {number} size */
+export function isReadInBlocks(begin, size) {
+  if (begin.length <= 84 || isGltf(begin) || isObj(begin)) return false;
+  const facets = new DataView(begin.buffer, begin.byteOffset).getUint32(80, true);
+  if (size === 84 + 50 * facets) return true;
+  return /^ply\n(?:[^]*?\n)?format[ \t]+binary_[^]*?\nend_header\n/.test(
+    beginOf(begin).replaceAll('\r\n', '\n').replaceAll('\r', '\n'));
 }

@@ -88,8 +88,9 @@
  */
 
 /**
- * @typedef {NamedBytes & { resources: NamedBytes[], output: string, pictures?: Picture[] }}
- *   FileRequest
+ * A file; `bytes` are the first ones if it is read in blocks by its handle.
+ * @typedef {NamedBytes & { resources: NamedBytes[], output: string, pictures?: Picture[],
+ *   handle?: import('./open_file.js').FileHandle }} FileRequest
  */
 
 /**

@@ -5,12 +5,13 @@
 import { basename } from 'node:path';
 
 import { RemeshError } from '../base/errors.js';
+import { OpenFile } from '../base/open_file.js';
 import { withPreset } from '../base/presets.js';
 import { guidesFrom } from '../codecs/guides_file.js';
 import { gunzip } from '../codecs/gunzip.js';
 import { referencesOf } from '../codecs/resources.js';
 import { Gate } from '../files/gate.js';
-import { readInput } from '../files/input.js';
+import { withInput } from '../files/input.js';
 import { requireOutput, writeOutput } from '../files/output.js';
 
 /** @typedef {import('../base/messages.js').BooleanOperation} BooleanOperation */
@@ -77,18 +78,26 @@ function withRefusals(error, refused) {
     ? new RemeshError(error.code, error.message, refused[0], { cause: error }) : error;
 }
 
+/** @typedef {{ path: string, name: string, content: OpenFile }} Input the name without a .gz */
+
 /**
- * A file that was read, with those that it refers to.
- * @typedef {{ name: string, bytes: Uint8Array, resources: Record<string, Uint8Array>, gate: Gate }}
- *   Opened
+ * An input with the files that it refers to.
+ * @typedef {Input & { resources: Record<string, Uint8Array>, gate: Gate }} Opened
  */
 
-/** @param {string} input @param {{ name: string, bytes: Uint8Array }} file @param {FileTask} task
- * @returns {Promise<Opened>} */
-async function withResources(input, { name, bytes }, { command, root, options }) {
-  const gate = await Gate.of(input, root);
+/** @param {Input} input @param {FileTask} task @returns {Promise<Opened>} */
+async function withResources(input, { command, root, options }) {
+  const { path, name, content: { bytes } } = input;
+  const gate = await Gate.of(path, root);
   const isPainted = command === 'bake' || withPreset(options).textures === 'bake';
-  return { name, bytes, gate, resources: await readResources({ name, bytes, isPainted }, gate) };
+  return { ...input, gate, resources: await readResources({ name, bytes, isPainted }, gate) };
+}
+
+/** The file, unpacked. @param {string} path @param {OpenFile} content @returns {Promise<Input>} */
+async function unpacked(path, content) {
+  const { name, bytes } = await gunzip({ name: basename(path), bytes: content.bytes });
+  return { path, name, content: bytes === content.bytes ? content
+    : new OpenFile(/** @type {Uint8Array<ArrayBuffer>} */ (bytes)) };
 }
 
 /**
@@ -97,15 +106,15 @@ async function withResources(input, { name, bytes }, { command, root, options })
  */
 async function withGuides(task) {
   if (task.guides === undefined) return task;
-  const file = await read(task.guides);
-  const gate = await Gate.of(task.guides, task.root);
-  const resources = await readResources({ ...file, isPainted: false }, gate);
-  const named = Object.entries(resources).map(([name, bytes]) => ({ name, bytes }));
-  return { ...task, options: { ...task.options, guides: guidesFrom(file, named) } };
+  const { guides, root } = task;
+  const { name, content: { bytes } } =
+    await withInput(guides, async (content) => unpacked(guides, content));
+  const gate = await Gate.of(guides, root);
+  const resources = await readResources({ name, bytes, isPainted: false }, gate);
+  const named = Object.entries(resources).map(([resource, content]) =>
+    ({ name: resource, bytes: content }));
+  return { ...task, options: { ...task.options, guides: guidesFrom({ name, bytes }, named) } };
 }
-
-/** @param {string} input */
-const read = async (input) => gunzip({ name: basename(input), bytes: await readInput(input) });
 
 /**
  * @param {FileTask} task
@@ -115,48 +124,43 @@ const read = async (input) => gunzip({ name: basename(input), bytes: await readI
  * @returns {Promise<FileResult>}
  */
 async function work({ command, outputName: output, options }, api, [file, second], run) {
-  const { name, bytes, resources } = file;
+  const { name, content, resources } = file;
   const about = { ...run, name, resources };
   switch (command) {
     case 'inspect':
-      return { files: [], report: { ...await api.inspect(bytes, { ...about, faults: true }) } };
+      return { files: [], report: { ...await api.inspect(content, { ...about, faults: true }) } };
     case 'convert': {
       const { files, warnings, compression } =
-        await api.convertFile(bytes, { ...options, ...about, output });
+        await api.convertFile(content, { ...options, ...about, output });
       return { files, report: { warnings, ...(compression ? { compression } : {}) } };
     }
     case 'repair':
-      return api.repairFile(bytes, { ...options, ...about, output });
+      return api.repairFile(content, { ...options, ...about, output });
     case 'remesh':
-      return api.remeshFile(bytes, { ...options, ...about, output });
+      return api.remeshFile(content, { ...options, ...about, output });
     case 'unwrap':
-      return api.unwrapFile(bytes, { ...options, ...about, output });
+      return api.unwrapFile(content, { ...options, ...about, output });
     case 'bake':
-      return api.bakeFile(bytes, second.bytes, { ...options, ...about, output,
+      return api.bakeFile(content, second.content, { ...options, ...about, output,
         nameLow: second.name, resourcesLow: second.resources });
     default:
-      return api.booleanFiles(bytes, second.bytes, command, { ...run, output, nameA: name,
+      return api.booleanFiles(content, second.content, command, { ...run, output, nameA: name,
         nameB: second.name, resourcesA: resources, resourcesB: second.resources });
   }
 }
 
 /**
- * @param {FileTask} given
- * @param {Api} api
- * @param {RunOptions} run where it runs, who hears of its progress
+ * @param {FileTask} task
+ * @param {Input[]} given the files, open
+ * @param {{ api: Api, run: RunOptions }} how where it runs, who hears of its progress
  * @returns {Promise<FileResult>}
  */
-export async function runFile(given, api, run) {
-  const task = await withGuides(given);
-  const { input, second, output, force } = task;
-  const inputs = second === undefined ? [input] : [input, second];
-  const files = [];
-  for (const path of inputs) files.push(await read(path));
+async function runOpened(task, given, { api, run }) {
+  const { output, force } = task;
+  const inputs = given.map(({ path }) => path);
   if (output) requireOutput({ path: output, inputs, force });
   const opened = [];
-  for (const [i, path] of inputs.entries()) {
-    opened.push(await withResources(path, files[i], task));
-  }
+  for (const input of given) opened.push(await withResources(input, task));
   const gates = opened.map(({ gate }) => gate);
   const refused = refusals(gates, task);
   const { files: made, report } = await work(task, api, opened, run).catch((error) => {
@@ -169,4 +173,21 @@ export async function runFile(given, api, run) {
       { path: output, inputs: [...inputs, ...gates.flatMap((gate) => gate.files)], force });
   }
   return result;
+}
+
+/**
+ * @param {FileTask} given
+ * @param {Api} api
+ * @param {RunOptions} run where it runs, who hears of its progress
+ * @returns {Promise<FileResult>}
+ */
+export async function runFile(given, api, run) {
+  const task = await withGuides(given);
+  const { input, second } = task;
+  return withInput(input, async (content) => {
+    const file = await unpacked(input, content);
+    if (second === undefined) return runOpened(task, [file], { api, run });
+    return withInput(second, async (other) =>
+      runOpened(task, [file, await unpacked(second, other)], { api, run }));
+  });
 }

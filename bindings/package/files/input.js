@@ -6,11 +6,13 @@ import { constants } from 'node:fs';
 import { lstat, open, stat } from 'node:fs/promises';
 import { setTimeout as sleep } from 'node:timers/promises';
 
+import { bytesLooked, isReadInBlocks } from '../base/contents.js';
 import { RemeshError } from '../base/errors.js';
 import { legible } from '../base/legible.js';
+import { OpenFile } from '../base/open_file.js';
 import { codeOf, kindOf, reason } from './reasons.js';
 
-// Bytes: more than a run can use of WebAssembly's memory.
+// Bytes of a file that is read whole: more than a run can use of WebAssembly's memory.
 const largest = 2 ** 31 - 1;
 
 // Milliseconds: a shell that redirects into a pipe has opened it long before.
@@ -67,7 +69,9 @@ async function drain(handle, path) {
 
 /** @param {string} path */
 function tooLarge(path) {
-  return unreadable(path, `it has more than ${largest} bytes (2 GiB)`, 'Give the model in parts.');
+  return unreadable(path,
+    `it has more than ${largest} bytes (2 GiB), and only binary PLY and STL are read in blocks`,
+    'Convert it to binary PLY, or give the model in parts.');
 }
 
 /**
@@ -79,7 +83,6 @@ function requireReadable(stats, path) {
     throw unreadable(path, `it is ${kindOf(stats)}`, stats.isDirectory()
       ? 'For all models in it, let the output end in /.' : undefined);
   }
-  if (stats.size > largest) throw tooLarge(path);
 }
 
 /** Node shows bytes of a name that are not UTF-8 as U+FFFD. @param {string} path */
@@ -97,19 +100,66 @@ async function failureOf(path, error) {
   return unreadable(path, reason(error), code === 'EACCES' ? '' : undefined);
 }
 
-/** @param {string} path @returns {Promise<Uint8Array>} */
-export async function readInput(path) {
+/**
+ * The first bytes of a plain file, at most so many: it may grow for ever.
+ * @param {import('node:fs/promises').FileHandle} handle
+ * @param {number} most
+ */
+async function beginOf(handle, most) {
+  const bytes = new Uint8Array(most);
+  let length = 0;
+  while (length < most) {
+    const { bytesRead } = await handle.read(bytes, length, most - length, length);
+    if (bytesRead === 0) return bytes.slice(0, length);
+    length += bytesRead;
+  }
+  return bytes;
+}
+
+/**
+ * @param {import('node:fs/promises').FileHandle} handle
+ * @param {string} path
+ * @returns {Promise<OpenFile>}
+ */
+async function contentOf(handle, path) {
+  const stats = await handle.stat(); // it may have been exchanged
+  requireReadable(stats, path);
+  if (!stats.isFile()) return new OpenFile(Uint8Array.from(await drain(handle, path)));
+  const begin = await beginOf(handle, Math.min(stats.size, bytesLooked));
+  if (isReadInBlocks(begin, stats.size)) {
+    return new OpenFile(begin, { fd: handle.fd, size: stats.size });
+  }
+  if (stats.size > largest) throw tooLarge(path);
+  return new OpenFile(stats.size > begin.length ? await beginOf(handle, stats.size) : begin);
+}
+
+/** @param {string} path */
+async function opened(path) {
   try {
     requireReadable(await stat(path), path);
     const handle = await open(path, constants.O_RDONLY | (constants.O_NONBLOCK ?? 0));
     try {
-      const stats = await handle.stat(); // it may have been exchanged
-      requireReadable(stats, path);
-      return stats.isFile() ? await handle.readFile() : await drain(handle, path);
-    } finally {
+      return { handle, file: await contentOf(handle, path) };
+    } catch (error) {
       await handle.close();
+      throw error;
     }
   } catch (error) {
     throw await failureOf(path, error);
+  }
+}
+
+/**
+ * @template Result
+ * @param {string} path
+ * @param {(file: OpenFile) => Promise<Result>} use the file is open until this has ended
+ * @returns {Promise<Result>}
+ */
+export async function withInput(path, use) {
+  const { handle, file } = await opened(path);
+  try {
+    return await use(file);
+  } finally {
+    await handle.close();
   }
 }

@@ -83,6 +83,34 @@ function meshLike(mesh, model) {
 }
 
 /**
+ * Fills an array with the bytes of an open file from a place on; false if they cannot be read.
+ * @typedef {(fd: number, at: number, into: Uint8Array) => boolean} ReadBlock
+ */
+
+/**
+ * What an engine has of its platform.
+ * @typedef {import('../textures/image_codecs.js').CodecSource & { readBlock?: ReadBlock }}
+ *   EnginePlatform
+ */
+
+/** The file as the instance takes it: with the way to its blocks, if it is read in blocks.
+ * @param {FileRequest} file @param {ReadBlock | undefined} readBlock */
+function withBlocks(file, readBlock) {
+  if (!file.handle || !readBlock) return file;
+  const { fd, size } = file.handle;
+  return { ...file, blocks: { size,
+    read: (/** @type {number} */ at, /** @type {Uint8Array} */ into) => readBlock(fd, at, into) } };
+}
+
+/** @param {Job} job @param {ReadBlock | undefined} readBlock @returns {Job} */
+function withBlocksOf(job, readBlock) {
+  if ('file' in job) return { ...job, file: withBlocks(job.file, readBlock) };
+  if (!('files' in job)) return job;
+  const [a, b] = job.files;
+  return { ...job, files: [withBlocks(a, readBlock), withBlocks(b, readBlock)] };
+}
+
+/**
  * @param {any} instance
  * @param {Job} job
  * @param {((phase: string, fraction: number) => boolean) | undefined} ask
@@ -257,7 +285,7 @@ export class Engine {
 
   /**
    * @param {Loaded} loaded
-   * @param {import('../textures/image_codecs.js').CodecSource} [codecs]
+   * @param {EnginePlatform} [codecs]
    */
   constructor(loaded, codecs = {}) {
     this.#loaded = loaded;
@@ -334,7 +362,7 @@ export class Engine {
     const instance = await this.#start();
     const ask = onProgress && ((/** @type {string} */ phase, /** @type {number} */ fraction) =>
       onProgress({ phase, fraction }) !== false);
-    const outcome = this.#call(instance, job, ask);
+    const outcome = this.#call(instance, withBlocksOf(job, this.#codecs.readBlock), ask);
     if (instance.HEAPU8.length > keptMemory) this.#instance = undefined;
     if (outcome.error) {
       throw new RemeshError(outcome.error.code, outcome.error.message, outcome.error.hint);

@@ -21,7 +21,7 @@ function buffersOf(result) {
 
 /**
  * @param {(message: FromWorker, transfer: ArrayBuffer[]) => void} post
- * @param {import('../textures/image_codecs.js').CodecSource} [codecs]
+ * @param {import('./engine.js').EnginePlatform} [codecs]
  * @returns {(message: ToWorker) => Promise<void>} to be called with every message
  */
 export function serve(post, codecs) {

@@ -32,6 +32,11 @@ std::size_t CornerWeld::slotOf(const Vec3& position) const {
   return slot;
 }
 
+CornerWeld::CornerWeld(std::size_t triangles) {
+  constexpr std::size_t kMore = 1024;  // of small and of open surfaces
+  positions_.reserve(triangles / 2 + triangles / 32 + kMore);
+}
+
 void CornerWeld::grow() {
   slots_.assign(slots_.empty() ? 64 : 2 * slots_.size(), kNone);
   for (Index vertex = 0; vertex < positions_.size(); ++vertex)

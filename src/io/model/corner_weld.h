@@ -10,6 +10,11 @@ namespace remesher::io {
 
 class CornerWeld {
  public:
+  CornerWeld() = default;
+  // With room for the vertices of a closed surface of so many triangles. Growing would take twice
+  // the memory.
+  explicit CornerWeld(std::size_t triangles);
+
   // The vertex at a position; vertices are numbered in the order of first mention.
   Index vertexAt(const Vec3& position);
 

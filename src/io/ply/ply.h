@@ -15,6 +15,9 @@
 
 namespace remesher::io {
 
+// A file with a source is binary, and its header ends within its first bytes.
+inline constexpr std::size_t kHeaderLooked = 65536;
+
 Model readPly(const File& file, const std::vector<File>& resources);
 WrittenFiles writePly(const Model& model, const std::string& outputName);
 

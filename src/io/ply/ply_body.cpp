@@ -18,22 +18,23 @@ constexpr char kHint[] = "Its header promises more than follows: was it copied c
 }  // namespace
 
 PlyBody::PlyBody(const File& file, const ParsedPlyHeader& parsed)
-    : file_(file),
+    : name_(file.name),
       encoding_(parsed.header.encoding),
       scanner_(asText(file), file.name),
-      at_(parsed.size) {
+      reader_(file) {
+  reader_.goTo(parsed.size);
   if (encoding_ != PlyEncoding::Ascii) return;
   for (std::size_t i = 0; i <= parsed.lines; ++i) scanner_.nextLine();
 }
 
 void PlyBody::fail(ErrorCode code, const std::string& what, std::string hint) const {
   if (encoding_ == PlyEncoding::Ascii) scanner_.fail(code, what, std::move(hint));
-  throw Error(code, legible(file_.name) + ", byte " + std::to_string(at_) + ": " + what,
+  throw Error(code, legible(name_) + ", byte " + std::to_string(reader_.at()) + ": " + what,
               std::move(hint));
 }
 
 std::uint64_t PlyBody::left() const {
-  return encoding_ == PlyEncoding::Ascii ? scanner_.left() : file_.bytes.size() - at_;
+  return encoding_ == PlyEncoding::Ascii ? scanner_.left() : reader_.left();
 }
 
 // In text a number takes at least a digit and a separator.
@@ -59,12 +60,11 @@ void PlyBody::requireRows(const PlyElement& element) const {
 template <class Number>
 double PlyBody::load() {
   std::array<std::uint8_t, sizeof(Number)> bytes;
-  std::memcpy(bytes.data(), &file_.bytes[at_], sizeof(Number));
+  std::memcpy(bytes.data(), reader_.next(sizeof(Number)), sizeof(Number));
   static_assert(std::endian::native == std::endian::little);
   if (encoding_ == PlyEncoding::BigEndian) std::reverse(bytes.begin(), bytes.end());
   Number number;
   std::memcpy(&number, bytes.data(), sizeof(Number));
-  at_ += sizeof(Number);
   return static_cast<double>(number);
 }
 

@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "io/model/byte_reader.h"
 #include "io/ply/ply_header.h"
 #include "io/text/text_scanner.h"
 
@@ -16,7 +17,7 @@ namespace remesher::io {
 
 class PlyBody {
  public:
-  // `file` must outlive the body.
+  // `file` must outlive the body; a text must be in memory.
   PlyBody(const File& file, const ParsedPlyHeader& parsed);
 
   // The number of bytes that follow.
@@ -39,10 +40,10 @@ class PlyBody {
   double nextBinary(PlyType type, std::string_view what);
   std::uint64_t smallestRow(const PlyElement& element) const;
 
-  const File& file_;
+  std::string name_;
   PlyEncoding encoding_;
   TextScanner scanner_;
-  std::size_t at_;
+  ByteReader reader_;
 };
 
 }  // namespace remesher::io

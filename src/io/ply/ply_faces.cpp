@@ -84,15 +84,16 @@ void readCorners(PlyBody& body, const PlyProperty& list, Index vertexCount, Face
 
 void append(PlyFaces& faces, const Face& face) {
   faces.notFinite = face.notFinite;
-  if (face.corners.size() < 3) {
+  const std::size_t size = face.corners.size();
+  if (size < 3) {
     ++faces.degenerate;
     return;
   }
+  if (size > 3 && faces.sizes.empty()) faces.sizes.assign(faces.corners.size() / 3, 3);
+  if (size > 3 || !faces.sizes.empty()) faces.sizes.push_back(static_cast<Index>(size));
   faces.corners.insert(faces.corners.end(), face.corners.begin(), face.corners.end());
-  faces.sizes.push_back(static_cast<Index>(face.corners.size()));
   faces.cornerTexcoords.insert(faces.cornerTexcoords.end(), face.texcoords.begin(),
                                face.texcoords.end());
-  faces.textureNumbers.push_back(face.textureNumber);
 }
 
 // A strip alternates the orientation of its triangles. -1 begins another strip. A triangle that
@@ -110,7 +111,6 @@ void readStrip(PlyBody& body, const PlyProperty& list, Index vertexCount, PlyFac
     last = {last[1], last[2], vertexAt(body, number, vertexCount)};
     const auto [a, b, c] = last;
     if (++length < 3 || a == b || b == c || c == a) continue;
-    faces.sizes.push_back(3);
     for (const Index corner : {length % 2 == 1 ? a : b, length % 2 == 1 ? b : a, c})
       faces.corners.push_back(corner);
   }
@@ -118,12 +118,8 @@ void readStrip(PlyBody& body, const PlyProperty& list, Index vertexCount, PlyFac
 
 // Texture coordinates are dropped unless every corner has them.
 void settle(PlyFaces& faces, const PlyElement& element, const std::vector<Role>& roles) {
-  const auto has = [&](Role role) {
-    return std::find(roles.begin(), roles.end(), role) != roles.end();
-  };
   const bool isComplete = faces.cornerTexcoords.size() == 2 * faces.corners.size();
   if (!isComplete) faces.cornerTexcoords.clear();
-  if (!has(Role::TextureNumber)) faces.textureNumbers.clear();
   for (std::size_t i = 0; i < roles.size(); ++i)
     if (roles[i] == Role::Ignored || (roles[i] == Role::Texcoords && !isComplete))
       faces.ignored.push_back(element.properties[i].name);
@@ -138,8 +134,8 @@ PlyFaces readFaces(PlyBody& body, const PlyElement& element, Index vertexCount) 
   // A triangle takes at least eight bytes in text, and rarely less in a binary file.
   const auto expected =
       static_cast<std::size_t>(std::min<std::uint64_t>(element.count, body.left() / 8));
-  faces.sizes.reserve(expected);
   faces.corners.reserve(3 * expected);
+  const bool hasNumbers = std::find(roles.begin(), roles.end(), Role::TextureNumber) != roles.end();
   Face face;
   for (Index row = 0; row < element.count; ++row) {
     for (std::size_t i = 0; i < roles.size(); ++i) {
@@ -149,6 +145,7 @@ PlyFaces readFaces(PlyBody& body, const PlyElement& element, Index vertexCount) 
         readProperty(body, element.properties[i], roles[i], face);
     }
     append(faces, face);
+    if (hasNumbers && face.corners.size() >= 3) faces.textureNumbers.push_back(face.textureNumber);
   }
   settle(faces, element, roles);
   return faces;

@@ -12,7 +12,7 @@ namespace remesher::io {
 
 struct PlyFaces {
   std::vector<Index> corners;
-  std::vector<Index> sizes;            // corners of each face
+  std::vector<Index> sizes;            // corners of each face; empty if all have three
   std::vector<float> cornerTexcoords;  // 2 per corner, or none at all
   std::vector<double> textureNumbers;  // 1 per face, or none at all
   std::size_t degenerate = 0;          // faces of fewer than three corners, left out

@@ -188,6 +188,15 @@ ParsedPlyHeader parsePlyHeader(std::string_view file, const std::string& fileNam
   return parsed;
 }
 
+bool isBinaryPly(std::string_view begin) {
+  try {
+    const ParsedPlyHeader parsed = parsePlyHeader(begin, "");
+    return parsed.header.encoding != PlyEncoding::Ascii && parsed.size < begin.size();
+  } catch (const Error&) {
+    return false;
+  }
+}
+
 std::string writtenHeader(const PlyHeader& header) {
   std::string text = "ply\nformat ";
   text += kEncodings[static_cast<std::size_t>(header.encoding)];

@@ -47,6 +47,9 @@ struct ParsedPlyHeader {
 // Throws PARSE_ERROR with the line's number.
 ParsedPlyHeader parsePlyHeader(std::string_view file, const std::string& fileName);
 
+// Whether a file begins with the whole header of a binary PLY.
+bool isBinaryPly(std::string_view begin);
+
 std::string writtenHeader(const PlyHeader& header);
 
 }  // namespace remesher::io

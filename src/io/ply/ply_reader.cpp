@@ -29,6 +29,19 @@ void skipElement(PlyBody& body, const PlyElement& element) {
     for (const PlyProperty& property : element.properties) body.skip(property);
 }
 
+// A file that is too short for what its header says is refused as such, where it ends.
+void requireRoomOf(const std::vector<PlyElement>& elements, const PlyBody& body, const File& file) {
+  SaidSize size = {0, 0};
+  for (const PlyElement& element : elements) {
+    if (element.name == "face") size.triangles = element.count;
+    if (element.name != "vertex") continue;
+    size.vertices = element.count;
+    size.numbers = std::max(0.0, static_cast<double>(element.properties.size()) - 3);
+  }
+  if (3 * size.vertices + size.triangles <= static_cast<double>(body.left()))
+    requireRoomFor(size, file);
+}
+
 // Elements may come in any order.
 PlyContent readContent(const File& file, const ParsedPlyHeader& parsed) {
   const std::vector<PlyElement>& elements = parsed.header.elements;
@@ -36,6 +49,7 @@ PlyContent readContent(const File& file, const ParsedPlyHeader& parsed) {
                                      [](const PlyElement& e) { return e.name == "vertex"; });
   const Index vertexCount = vertices == elements.end() ? 0 : vertices->count;
   PlyBody body(file, parsed);
+  requireRoomOf(elements, body, file);
   PlyContent content;
   for (const PlyElement& element : elements) {
     if (element.count == 0) continue;
@@ -53,24 +67,27 @@ PlyContent readContent(const File& file, const ParsedPlyHeader& parsed) {
   return content;
 }
 
-// The triangles of faces. Per triangle corner its number among the corners of all faces.
+// The triangles of faces. Per triangle corner its number among the corners of all faces. Both lists
+// are empty if all faces are triangles: each is then its own.
 struct Triangulation {
-  std::vector<std::size_t> corners;
-  std::vector<std::size_t> faces;  // per triangle
+  std::vector<Index> corners;
+  std::vector<Index> faces;  // per triangle
+
+  Index faceOf(Index triangle) const { return faces.empty() ? triangle : faces[triangle]; }
+  Index cornerOf(Index corner) const { return corners.empty() ? corner : corners[corner]; }
 };
 
 Triangulation triangulated(const PlyFaces& faces, const std::vector<Vec3>& positions) {
   Triangulation result;
-  result.corners.reserve(faces.corners.size());
   std::vector<Vec3> points;
-  std::size_t first = 0;
-  for (std::size_t face = 0; face < faces.sizes.size(); ++face) {
+  Index first = 0;
+  for (Index face = 0; face < faces.sizes.size(); ++face) {
     const Index size = faces.sizes[face];
     points.clear();
     for (Index i = 0; size > 3 && i < size; ++i)
       points.push_back(positions[faces.corners[first + i]]);
     if (size == 3) {
-      for (std::size_t i = 0; i < 3; ++i) result.corners.push_back(first + i);
+      for (Index i = 0; i < 3; ++i) result.corners.push_back(first + i);
       result.faces.push_back(face);
     } else {
       for (const auto& triangle : triangulate(points)) {
@@ -94,32 +111,45 @@ std::vector<Index> groupsByTexture(const PlyFaces& faces, const Triangulation& t
     group = next++;
     textureNumbers.push_back(number);
   }
+  const std::size_t triangles =
+      triangulation.faces.empty() ? faces.textureNumbers.size() : triangulation.faces.size();
   std::vector<Index> groups;
-  for (const std::size_t face : triangulation.faces)
-    groups.push_back(groupOf.at(faces.textureNumbers[face]));
+  for (Index t = 0; t < triangles; ++t)
+    groups.push_back(groupOf.at(faces.textureNumbers[triangulation.faceOf(t)]));
   return groups;
+}
+
+// Adds the corners of the faces' triangles. Those of triangles alone are moved, not copied: of the
+// largest files they are most of what is in memory.
+void addTriangles(TriangleMesh& mesh, std::vector<Index>& corners, const Triangulation& cut) {
+  if (mesh.indices.empty() && cut.corners.empty()) {
+    mesh.indices = std::move(corners);
+    return;
+  }
+  const std::size_t count = cut.corners.empty() ? corners.size() : cut.corners.size();
+  mesh.indices.reserve(mesh.indices.size() + count);
+  for (Index i = 0; i < count; ++i) mesh.indices.push_back(corners[cut.cornerOf(i)]);
 }
 
 TriangleMesh meshOf(PlyContent& content, PlySource& source) {
   TriangleMesh mesh = std::move(content.vertices.mesh);
   const bool isOfOneKind = content.faces.size() == 1;
-  bool haveAllFour = isOfOneKind;
-  for (const PlyFaces& faces : content.faces) {
+  for (PlyFaces& faces : content.faces) {
     const Triangulation triangulation = triangulated(faces, mesh.positions);
-    mesh.indices.reserve(mesh.indices.size() + triangulation.corners.size());
-    for (const std::size_t corner : triangulation.corners)
-      mesh.indices.push_back(faces.corners[corner]);
-    for (const Index size : faces.sizes) haveAllFour &= size == 4;
-    mesh.isQuads = haveAllFour && arePairs(mesh);
+    addTriangles(mesh, faces.corners, triangulation);
+    mesh.isQuads =
+        isOfOneKind && !faces.sizes.empty() &&
+        std::all_of(faces.sizes.begin(), faces.sizes.end(), [](Index size) { return size == 4; }) &&
+        arePairs(mesh);
     if (isOfOneKind && !faces.textureNumbers.empty())
       mesh.groups = groupsByTexture(faces, triangulation, source.textureNumbers);
     if (!isOfOneKind || faces.cornerTexcoords.empty()) continue;
     source.hasCornerTexcoords = true;
     std::vector<float> perCorner;
-    perCorner.reserve(2 * triangulation.corners.size());
-    for (const std::size_t corner : triangulation.corners)
+    perCorner.reserve(2 * mesh.indices.size());
+    for (Index i = 0; i < mesh.indices.size(); ++i)
       for (std::size_t k = 0; k < 2; ++k)
-        perCorner.push_back(faces.cornerTexcoords[2 * corner + k]);
+        perCorner.push_back(faces.cornerTexcoords[2 * std::size_t{triangulation.cornerOf(i)} + k]);
     std::erase_if(mesh.attributes,
                   [](const Attribute& attribute) { return attribute.semantic == "TEXCOORD_0"; });
     mesh = splitByTexcoord(mesh, perCorner);
@@ -171,7 +201,8 @@ std::vector<GroupInfo> groupInfos(const PlySource& source) {
 }  // namespace
 
 Model readPly(const File& file, const std::vector<File>&) {
-  const ParsedPlyHeader parsed = parsePlyHeader(asText(file), file.name);
+  const File begin = file.source ? beginOf(file, kHeaderLooked) : File{};
+  const ParsedPlyHeader parsed = parsePlyHeader(asText(file.source ? begin : file), file.name);
   PlyContent content = readContent(file, parsed);
   Model model;
   model.conventions = Conventions::Classic;

@@ -4,28 +4,19 @@
 // have no zero.
 #include <algorithm>
 #include <array>
-#include <bit>
+#include <cctype>
 #include <cmath>
-#include <cstring>
 #include <map>
 #include <utility>
 
 #include "base/legible.h"
+#include "io/model/byte_reader.h"
 #include "io/model/corner_weld.h"
 #include "io/stl/stl.h"
 #include "io/text/text_scanner.h"
 
 namespace remesher::io {
 namespace {
-
-// Reads a little-endian number at any place of the file.
-template <class Number>
-Number load(const File& file, std::size_t at) {
-  static_assert(std::endian::native == std::endian::little);
-  Number number;
-  std::memcpy(&number, &file.bytes[at], sizeof(Number));
-  return number;
-}
 
 bool isText(const File& file) {
   constexpr std::size_t kLooked = 512;
@@ -37,7 +28,8 @@ bool isText(const File& file) {
   if (word != "solid" || start.find('\0') != std::string_view::npos) return false;
   return file.bytes.size() < kFacetsAt ||
          file.bytes.size() !=
-             kFacetsAt + std::uint64_t{kFacetBytes} * load<std::uint32_t>(file, kHeaderBytes);
+             kFacetsAt + std::uint64_t{kFacetBytes} *
+                             littleEndianAt<std::uint32_t>(&file.bytes[kHeaderBytes]);
 }
 
 struct Facets {
@@ -125,14 +117,14 @@ Facets StlText::read() {
   throw Error(ErrorCode::ParseError,
               legible(file.name) + ": it promises " + std::to_string(count) + " facets in " +
                   std::to_string(kFacetsAt + kFacetBytes * count) + " bytes, but has " +
-                  std::to_string(file.bytes.size()) + ".",
+                  std::to_string(fileSize(file)) + ".",
               "Was it copied completely?");
 }
 
-Vec3 cornerAt(const File& file, std::size_t at, std::size_t facet) {
+Vec3 cornerAt(const std::uint8_t* bytes, const File& file, std::size_t facet) {
   Vec3 position;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    position[static_cast<Eigen::Index>(axis)] = load<float>(file, at + 4 * axis);
+    position[static_cast<Eigen::Index>(axis)] = littleEndianAt<float>(bytes + 4 * axis);
     if (!position.array().isFinite()[static_cast<Eigen::Index>(axis)])
       throw Error(
           ErrorCode::NonFinite,
@@ -143,25 +135,28 @@ Vec3 cornerAt(const File& file, std::size_t at, std::size_t facet) {
 }
 
 Facets readBinary(const File& file) {
-  if (file.bytes.size() < kFacetsAt)
+  const std::uint64_t size = fileSize(file);
+  if (size < kFacetsAt)
     throw Error(ErrorCode::ParseError,
                 legible(file.name) +
                     ": it is shorter than the header of an STL, and begins not with solid.",
                 "Was it copied completely?");
-  const std::uint64_t count = load<std::uint32_t>(file, kHeaderBytes);
-  if (file.bytes.size() < kFacetsAt + kFacetBytes * count) failShort(file, count);
+  ByteReader reader(file);
+  const std::string header(reinterpret_cast<const char*>(reader.next(kHeaderBytes)), kHeaderBytes);
+  const std::uint64_t count = littleEndianAt<std::uint32_t>(reader.next(kFacetsAt - kHeaderBytes));
+  if (size < kFacetsAt + kFacetBytes * count) failShort(file, count);
+  requireRoomFor({double(count) / 2, double(count)}, file);
   // Two conventions for colours: VisCAM and SolidView set the highest bit of a coloured facet;
   // Magics announces colours in the header and clears the bit.
-  const bool isMagics =
-      asText(file).substr(0, kHeaderBytes).find("COLOR=") != std::string_view::npos;
+  const bool isMagics = header.find("COLOR=") != std::string::npos;
   Facets facets;
-  CornerWeld weld;
+  CornerWeld weld(static_cast<std::size_t>(count));
   facets.mesh.indices.reserve(3 * static_cast<std::size_t>(count));
   for (std::size_t facet = 0; facet < count; ++facet) {
-    const std::size_t at = kFacetsAt + kFacetBytes * facet;
+    const std::uint8_t* const bytes = reader.next(kFacetBytes);
     for (std::size_t corner = 1; corner <= 3; ++corner)
-      facets.mesh.indices.push_back(weld.vertexAt(cornerAt(file, at + 12 * corner, facet)));
-    const bool hasHighBit = (load<std::uint16_t>(file, at + kFacetBytes - 2) & 0x8000U) != 0;
+      facets.mesh.indices.push_back(weld.vertexAt(cornerAt(bytes + 12 * corner, file, facet)));
+    const bool hasHighBit = (littleEndianAt<std::uint16_t>(bytes + kFacetBytes - 2) & 0x8000U) != 0;
     if (hasHighBit != isMagics) ++facets.colored;
   }
   facets.mesh.positions = std::move(weld.positions());
@@ -172,7 +167,7 @@ Facets readBinary(const File& file) {
 }  // namespace
 
 Model readStl(const File& file, const std::vector<File>&) {
-  Facets facets = isText(file) ? StlText(file).read() : readBinary(file);
+  Facets facets = !file.source && isText(file) ? StlText(file).read() : readBinary(file);
   if (facets.mesh.triangleCount() == 0)
     throw Error(ErrorCode::NoTriangles, legible(file.name) + " has no facets.",
                 "Only surfaces can be remeshed.");

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "base/disjoint_sets.h"
 #include "base/error.h"
 #include "base/legible.h"
+#include "base/room.h"
 #include "geometry/triangle.h"
 #include "mesh/joints.h"
 #include "mesh/topology.h"
@@ -27,14 +27,6 @@ constexpr double kBytesPerVertex = 600, kBytesPerInputVertex = 1200;
 
 // Digits of numbers in messages.
 constexpr int kMessageDigits = 6;
-
-// `10.2 M`, or all digits of a small number.
-std::string inMillions(double count) {
-  constexpr double kMillion = 1e6;
-  constexpr int kMillionDigits = 3;
-  if (count < kMillion) return std::to_string(std::size_t(count));
-  return inDigits(count / kMillion, kMillionDigits) + " M";
-}
 
 void require(bool holds, const std::string& message, const std::string& hint) {
   if (!holds) throw Error(ErrorCode::InvalidOption, message, hint);
@@ -155,7 +147,7 @@ std::size_t targetVertices(const BuiltMesh& built, const RemeshOptions& options)
     target = std::round(verticesForEdgeLength(surfaceArea(built), *options.edgeLength));
   if (leadsByEdges(options)) target = std::round(numberByEdges(options, surfaceArea(built), own));
   requireRoom({double(built.mesh.vertexCount()), double(built.mesh.faceCount())}, target,
-              double(std::numeric_limits<std::size_t>::max()));
+              kAddresses);
   const Fewest fewest = fewestVertices(built.mesh);
   if (target < double(fewest.needed) && options.tooFew == TooFew::Raise) return fewest.needed;
   if (target < double(fewest.needed))

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Refuses work that no memory has room for, before it begins.
+#pragma once
+
+#include <limits>
+#include <string>
+
+namespace remesher {
+
+// All bytes that this build can address: 4 GB in WebAssembly.
+inline constexpr double kAddresses = double(std::numeric_limits<std::size_t>::max());
+
+// `10.2 M`, or all digits of a small number.
+std::string inMillions(double count);
+
+// What a model takes of memory.
+struct RoomNeeds {
+  double triangles, bytes;
+};
+
+bool haveRoom(const RoomNeeds& needs, double addresses = kAddresses);
+// `takes about 6.12 GB of memory; this build has 4.29 GB, enough for about 7.16 M triangles.`
+std::string needsInWords(const RoomNeeds& needs, double addresses = kAddresses);
+
+}  // namespace remesher
