@@ -13,6 +13,7 @@
 #include "jobs/parts/part_guides.h"
 #include "jobs/pixel_levels.h"
 #include "jobs/region_run.h"
+#include "jobs/thinned_parts.h"
 #include "remesh/quads/quads.h"
 #include "remesh/schemes/edge_limits.h"
 #include "remesh/schemes/quads_door.h"
@@ -76,6 +77,12 @@ RegionRun::RegionRun(std::vector<io::Part>&, const RemeshOptions& options) {
 }
 RemeshOptions RegionRun::applied(RemeshOptions options) const { return options; }
 void RegionRun::finish(std::vector<SceneRun>&) const {}
+
+std::unique_ptr<const ThinnedParts> thinnedParts(std::vector<io::Part>&, const RemeshOptions&) {
+  return nullptr;
+}
+RemeshOptions ThinnedParts::applied(RemeshOptions options) const { return options; }
+void ThinnedParts::note(std::vector<SceneRun>&) const {}
 
 std::vector<Warning> pairedParts(const QuadReport&, const std::vector<io::Part>&) { return {}; }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "remesher.h"
 
+#include <memory>
 #include <utility>
 
 #include "io/formats.h"
@@ -79,15 +80,18 @@ RemeshSceneResult remeshScene(std::vector<PlacedMesh> scene, const RemeshOptions
   if (options.quads) parts = cutAlongShorter(std::move(parts));
   const std::vector<Warning> settled = settleAttributes(parts);
   const Progress stretch = progress.timedBy(clock);
+  const std::unique_ptr<const ThinnedParts> thinned = thinnedParts(parts, options);
   const double mended = mendShare(options);
   const Mending mending(parts, options, stretch.part(0, mended));
   const ConformRun conform(parts, options);
   std::vector<SceneRun> runs = region.within([&] {
-    return remeshLevels(conform.parts(), Held::Apart, conform.applied(mending.chosen(options)),
+    const RemeshOptions chosen = mending.chosen(options);
+    return remeshLevels(parts, Held::Apart, thinned ? thinned->applied(chosen) : chosen,
                         stretch.part(mended, 1));
   });
   conform.finish(runs);
   mending.note(runs.front().report);
+  if (thinned) thinned->note(runs);
   region.finish(runs);
   runs.front().report.warnings = joined(settled, runs.front().report.warnings);
   std::vector<std::vector<TriangleMesh>> levels;
@@ -125,7 +129,7 @@ RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
   const Progress whole = progress.timedBy(clock);
   whole.phase("read", 0, kReadShare);
   io::Model model = readFor(outputName, input, asked);
-  input.file.bytes = {};
+  input.file = {input.file.name, {}};
   input.resources = {};
   const RemeshOptions inPercent = withPercents(asked, model.parts);
   const RegionRun region(model.parts, inPercent);
@@ -201,6 +205,7 @@ Report inspectFile(const FileBundle& input) {
   clock.enter("inspect");
   Report report;
   report.input = inFile(input.file.name, [&] {
+    model.warnings = joined(model.warnings, roomWarnings(model.parts));
     model.parts = joinedPlaces(std::move(model.parts), {});
     return inspectScaled(model.parts);
   });

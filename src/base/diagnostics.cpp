@@ -48,6 +48,7 @@ constexpr std::array kDiagnostics = {
     Diagnostic{"MAX_ERROR_EXCEEDED", Severity::Fault},
     Diagnostic{"MORE_VERTICES_TAKEN", Severity::Note},
     Diagnostic{"NAME_CONTRADICTS", Severity::Note},
+    Diagnostic{"NEEDS_THINNING", Severity::Note},
     Diagnostic{"NON_FINITE_ATTRIBUTE", Severity::Loss},
     Diagnostic{"NON_MANIFOLD_EDGES_MADE", Severity::Fault},
     Diagnostic{"NON_MANIFOLD_EDGES_SPLIT", Severity::Note},

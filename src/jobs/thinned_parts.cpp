@@ -3,22 +3,31 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 
+#include "base/error.h"
 #include "geometry/triangle.h"
 #include "geometry/triangle_tree.h"
 #include "jobs/parts/part_lengths.h"
 #include "jobs/parts/part_places.h"
 #include "jobs/parts/part_report.h"
+#include "jobs/run_guards.h"
 #include "simplify/thin_out.h"
 
 namespace remesher {
 namespace {
 
 // The most vertices of an original whose distance is measured.
-constexpr std::size_t kMostSamples = 2'000'000;
+constexpr std::size_t kMostSamples = 500'000;
+
+// Whether what is remeshed is another surface, of which the size is not known yet.
+bool isMended(const RemeshOptions& options) {
+  return options.repair != Repair::Off || options.dropBelow || options.lengths.dropBelow ||
+         options.dropFloaters || options.dropHidden;
+}
 
 // Whether no option needs the original itself.
 bool allowsThinning(const RemeshOptions& options) {
@@ -26,10 +35,8 @@ bool allowsThinning(const RemeshOptions& options) {
                        options.projection == Projection::Current;
   const bool isNumbered = !options.density.empty() || !options.featureEdges.empty() ||
                           !options.region.empty() || wantsOfEach(options);
-  const bool isMended = options.repair != Repair::Off || options.dropBelow ||
-                        options.lengths.dropBelow || options.dropFloaters || options.dropHidden;
-  return options.scheme == Scheme::Best && !isBound && !isNumbered && !isMended && !options.quads && !options.conform &&
-         options.textures != Textures::Bake;
+  return options.scheme == Scheme::Best && !isBound && !isNumbered && !isMended(options) &&
+         !options.quads && options.textures != Textures::Bake;
 }
 
 // The vertices asked for; of an edge length and of no number it is not known yet.
@@ -48,6 +55,56 @@ std::optional<double> askedVertices(const RemeshOptions& options, double given) 
 bool isFine(const io::Part& part, double asked, const ThinningLimits& limits) {
   const double triangles = double(part.mesh.triangleCount());
   return triangles > double(limits.triangles) && triangles > double(limits.perVertex) * asked;
+}
+
+// Measured: what reading, inspecting and thinning out take for each triangle, and what remeshing
+// takes in all.
+constexpr double kBytesToThinOut = 110, kBytesToRemesh = 600;
+
+// A soup has more vertices than its surface, a mesh with doubled triangles more triangles.
+double trianglesOf(const io::Part& part) {
+  return std::min(double(part.mesh.triangleCount()), 2 * double(part.mesh.positions.size()));
+}
+
+// What parts need of which those of more triangles than `most` are thinned out to so many.
+RoomNeeds needsOf(const std::vector<io::Part>& parts, double most) {
+  double all = 0, largest = 0;
+  for (const io::Part& part : parts) {
+    all += trianglesOf(part);
+    largest = std::max(largest, std::min(most, trianglesOf(part)));
+  }
+  return {all, kBytesToThinOut * all + (kBytesToRemesh - kBytesToThinOut) * largest};
+}
+
+// Two triangles for each vertex that is left.
+double trianglesLeft(double asked, const ThinningLimits& limits) {
+  return 2 * std::max(double(limits.fewest), double(limits.kept) * asked);
+}
+
+// The most vertices of a result for which the largest part is thinned out, and all have room; below
+// 1 if there are none.
+double mostThinned(const std::vector<io::Part>& parts, const ThinningLimits& limits) {
+  const RoomNeeds least = needsOf(parts, trianglesLeft(0, limits));
+  if (!haveRoom(least, limits.addresses)) return 0;
+  double all = 0, largest = 0;
+  for (const io::Part& part : parts) {
+    all += trianglesOf(part);
+    largest = std::max(largest, trianglesOf(part));
+  }
+  const double left = limits.addresses - kBytesToThinOut * all;
+  const double perVertex = 2 * double(limits.kept) * (kBytesToRemesh - kBytesToThinOut);
+  return std::floor(std::min((largest - 1) / double(limits.perVertex), left / perVertex));
+}
+
+std::string thinnedFor(double vertices) {
+  return "For up to " + inMillions(vertices) + " vertices it is thinned out first";
+}
+
+[[noreturn]] void refuseSize(const RoomNeeds& needs, const std::string& way, double addresses) {
+  throw Error(ErrorCode::OutOfMemory,
+              "This model has " + inMillions(needs.triangles) + " triangles. To remesh it " +
+                  needsInWords(needs, addresses),
+              way + "Give it in parts, or remesh it with the native library.");
 }
 
 // Calls visit(first corner) for each triangle, with whether it has three different places.
@@ -78,35 +135,77 @@ std::vector<Vec3> someOf(const TriangleMesh& mesh) {
   return some;
 }
 
+// asked: the vertices of the result if the parts are thinned out for it.
+void requireRoomToRemesh(const std::vector<io::Part>& parts, std::optional<double> asked,
+                         const ThinningLimits& limits) {
+  const double most = asked ? trianglesLeft(*asked, limits) : kInfinity;
+  const RoomNeeds needs = needsOf(parts, most);
+  if (haveRoom(needs, limits.addresses)) return;
+  const double fits = mostThinned(parts, limits);
+  const std::string way =
+      fits >= 1 ? thinnedFor(fits) + ", unless an option needs all of it (docs/sizes.md). " : "";
+  refuseSize(needs, way, limits.addresses);
+}
+
 }  // namespace
+
+std::vector<Warning> roomWarnings(const std::vector<io::Part>& parts,
+                                  const ThinningLimits& limits) {
+  const RoomNeeds needs = needsOf(parts, kInfinity);
+  if (haveRoom(needs, limits.addresses)) return {};
+  const double fits = mostThinned(parts, limits);
+  if (fits < 1) refuseSize(needs, "", limits.addresses);
+  return {{"NEEDS_THINNING",
+           "To remesh this model as it is " + needsInWords(needs, limits.addresses) + " " +
+               thinnedFor(fits) + ".",
+           std::size_t(needs.triangles)}};
+}
 
 ThinnedParts::ThinnedParts(std::vector<io::Part>& parts, const RemeshOptions& options,
                            const ThinningLimits& limits) {
-  if (!allowsThinning(options) || (options.ratio && parts.size() > 1)) return;
+  const bool isAllowed = allowsThinning(options) && !(options.ratio && parts.size() > 1);
   double vertices = 0;
   for (const io::Part& part : parts) vertices += double(part.mesh.positions.size());
-  const std::optional<double> rough = askedVertices(options, vertices);
+  std::optional<double> rough;
+  if (isAllowed) rough = askedVertices(options, vertices);
   const auto isFineFor = [&](double asked) {
     return std::any_of(parts.begin(), parts.end(),
                        [&](const io::Part& part) { return isFine(part, asked, limits); });
   };
-  if (!rough || !isFineFor(*rough)) return;
-  input_ = inspectParts(parts, weldingsOf(parts), placesOf(parts));
-  input_.diagonal = worldDiagonal(parts);
+  const bool isFineEnough = rough && isFineFor(*rough);
+  if (!isMended(options)) requireRoomToRemesh(parts, isFineEnough ? rough : std::nullopt, limits);
+  if (isFineEnough) withinMemory([&] { thinOutFine(parts, options, limits); });
+}
+
+void ThinnedParts::thinOutFine(std::vector<io::Part>& parts, const RemeshOptions& options,
+                               const ThinningLimits& limits) {
+  std::vector<std::vector<Index>> first = inspect(parts);
   const double asked = *askedVertices(options, double(input_.vertices));
   const std::size_t wanted =
       std::max(limits.fewest, std::size_t(std::ceil(double(limits.kept) * asked)));
-  for (io::Part& part : parts)
-    if (isFine(part, asked, limits)) thinOut(part, wanted, parts.size() == 1);
+  if (parts.size() == 1) samples_ = someOf(parts.front().mesh);
+  // Parts may have borders in common.
+  const OpenBorders borders = parts.size() == 1 ? OpenBorders::Shorten : OpenBorders::Keep;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    std::vector<Index> known = std::move(first[i]);
+    if (isFine(parts[i], asked, limits)) thinOut(parts[i], {wanted, borders, std::move(known)});
+  }
 }
 
-void ThinnedParts::thinOut(io::Part& part, std::size_t wanted, bool isAlone) {
-  if (isAlone) samples_ = someOf(part.mesh);
+// Returns the first vertices at all places. The rest of the weldings, which is larger, goes.
+std::vector<std::vector<Index>> ThinnedParts::inspect(const std::vector<io::Part>& parts) {
+  std::vector<Welding> weldings = weldingsOf(parts);
+  input_ = inspectParts(parts, weldings, placesOf(parts));
+  input_.diagonal = worldDiagonal(parts);
+  std::vector<std::vector<Index>> first;
+  for (Welding& welding : weldings) first.push_back(std::move(welding.first));
+  return first;
+}
+
+void ThinnedParts::thinOut(io::Part& part, ThinOut wanted) {
   given_ += part.mesh.positions.size();
-  // Parts may have borders in common.
-  const OpenBorders borders = isAlone ? OpenBorders::Shorten : OpenBorders::Keep;
   removed_ += countWithoutPlaces(part.mesh);
-  part.mesh = thinnedOut(std::move(part.mesh), {wanted, borders});
+  part.mesh = thinnedOut(std::move(part.mesh), std::move(wanted));
   removed_ -= countWithoutPlaces(part.mesh);
   left_ += part.mesh.positions.size();
 }
@@ -136,6 +235,12 @@ FidelityReport ThinnedParts::measured(const SceneRun& run) const {
   fidelity.hausdorff = std::max(fidelity.hausdorff, percent * std::sqrt(largest));
   fidelity.rms = std::max(fidelity.rms, percent * std::sqrt(sum / double(samples_.size())));
   return fidelity;
+}
+
+std::unique_ptr<const ThinnedParts> thinnedParts(std::vector<io::Part>& parts,
+                                                 const RemeshOptions& options) {
+  auto thinned = std::make_unique<const ThinnedParts>(parts, options);
+  return thinned->isThinned() ? std::move(thinned) : nullptr;
 }
 
 void ThinnedParts::note(std::vector<SceneRun>& runs) const {

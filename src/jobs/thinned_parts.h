@@ -4,12 +4,15 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "base/options.h"
 #include "base/report.h"
+#include "base/room.h"
 #include "io/model/model.h"
 #include "jobs/scene_run.h"
+#include "simplify/thin_out.h"
 
 namespace remesher {
 
@@ -18,12 +21,19 @@ namespace remesher {
 struct ThinningLimits {
   std::size_t triangles = 1'500'000, perVertex = 30;
   std::size_t kept = 16, fewest = 300'000;
+  double addresses = kAddresses;  // bytes that there are
 };
+
+// NEEDS_THINNING if the parts have no room unless they are thinned out. Throws OUT_OF_MEMORY if not
+// even then.
+std::vector<Warning> roomWarnings(const std::vector<io::Part>& parts,
+                                  const ThinningLimits& limits = {});
 
 class ThinnedParts {
  public:
   // Thins out in place. Parts stay as they are if an option asks for the original: bounds on the
-  // error, densities and edges by the numbers of its vertices, repair, baking, quads.
+  // error, densities and edges by the numbers of its vertices, repair, baking, quads. Throws
+  // OUT_OF_MEMORY, before the work, for what then has no room.
   ThinnedParts(std::vector<io::Part>& parts, const RemeshOptions& options,
                const ThinningLimits& limits = {});
 
@@ -37,7 +47,10 @@ class ThinnedParts {
   void note(std::vector<SceneRun>& runs) const;
 
  private:
-  void thinOut(io::Part& part, std::size_t wanted, bool isAlone);
+  void thinOutFine(std::vector<io::Part>& parts, const RemeshOptions& options,
+                   const ThinningLimits& limits);
+  std::vector<std::vector<Index>> inspect(const std::vector<io::Part>& parts);
+  void thinOut(io::Part& part, ThinOut wanted);
   FidelityReport measured(const SceneRun& run) const;
 
   MeshReport input_;
@@ -45,5 +58,9 @@ class ThinnedParts {
   std::size_t removed_ = 0;           // triangles without three places
   std::vector<Vec3> samples_;         // vertices of the only part
 };
+
+// Null if nothing is thinned out.
+std::unique_ptr<const ThinnedParts> thinnedParts(std::vector<io::Part>& parts,
+                                                 const RemeshOptions& options);
 
 }  // namespace remesher

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -11,6 +13,7 @@
 #include "base/place.h"
 #include "geometry/triangle.h"
 #include "mesh/used_vertices.h"
+#include "simplify/local_quadric.h"
 
 namespace remesher {
 namespace {
@@ -20,47 +23,10 @@ constexpr double kSidewaysWeight = 5e-6, kBorderWeight = 2, kLeastTurn = 0.5;
 // A pass lets go this part of the vertices at most, the cheapest; the next one knows their new
 // costs. Passes end when one lets go less than its least part.
 constexpr std::size_t kPassPart = 2, kLeastPart = 200;
+// It takes them in so many slices, the cheaper one first.
+constexpr std::size_t kSlices = 4;
 // Below this share of the longest edge's square, twice the area of a triangle may not shrink.
 constexpr double kThin = 0.05;
-
-// The sum of weighted squared distances from planes, as seen from a vertex: numbers so small that
-// single precision does.
-struct LocalQuadric {
-  std::array<float, 6> square{};  // xx, xy, xz, yy, yz, zz
-  std::array<float, 3> linear{};
-  float constant = 0, area = 0;
-
-  void addPlane(const Vec3& normal, double weight) {
-    const Vec3 n = normal;
-    const std::array<double, 6> products = {n.x() * n.x(), n.x() * n.y(), n.x() * n.z(),
-                                            n.y() * n.y(), n.y() * n.z(), n.z() * n.z()};
-    for (std::size_t i = 0; i < 6; ++i) square[i] += float(weight * products[i]);
-  }
-
-  void addPlace(double weight) {
-    for (const std::size_t i : {0, 3, 5}) square[i] += float(weight);
-  }
-
-  Vec3 times(const Vec3& p) const {
-    const auto& s = square;
-    return {s[0] * p.x() + s[1] * p.y() + s[2] * p.z(), s[1] * p.x() + s[3] * p.y() + s[4] * p.z(),
-            s[2] * p.x() + s[4] * p.y() + s[5] * p.z()};
-  }
-
-  Vec3 slope() const { return {linear[0], linear[1], linear[2]}; }
-
-  double at(const Vec3& p) const { return p.dot(times(p) + 2 * slope()) + constant; }
-
-  // Adds another one, whose vertex is `way` from this one.
-  void add(const LocalQuadric& other, const Vec3& way) {
-    const Vec3 back = -way;
-    const Vec3 moved = other.times(back) + other.slope();
-    constant += float(other.at(back));
-    area += other.area;
-    for (std::size_t i = 0; i < 6; ++i) square[i] += other.square[i];
-    for (std::size_t i = 0; i < 3; ++i) linear[i] += float(moved[Eigen::Index(i)]);
-  }
-};
 
 // A neighbour of a vertex: the triangles before and after the edge to it, and whether the edge is a
 // border.
@@ -72,6 +38,9 @@ struct RingEdge {
   bool isOpen() const { return out + in == 1; }
 };
 
+// What a vertex is from beginning to end, since the topology stays.
+enum class Kind : char { Inner, OnBorder, Fixed };
+
 // What a vertex would go into, and what that costs.
 struct Going {
   Index into = kNone;
@@ -80,13 +49,12 @@ struct Going {
 
 class ThinningOut {
  public:
-  ThinningOut(TriangleMesh& mesh, OpenBorders borders)
+  ThinningOut(TriangleMesh& mesh, ThinOut wanted)
       : mesh_(mesh),
-        borders_(borders),
-        isFixed_(mesh.positions.size(), 0),
-        next_(mesh.positions.size(), kNone),
+        borders_(wanted.borders),
+        kinds_(mesh.positions.size(), Kind::Inner),
         isTouched_(mesh.positions.size(), 0) {
-    joinEqual();
+    joinEqual(std::move(wanted.first));
     setScale();
     gatherStars();
     measureVertices();
@@ -103,13 +71,13 @@ class ThinningOut {
 
  private:
   // Vertices at one place that differ in an attribute stay.
-  void joinEqual() {
-    const std::vector<Index> first = weld(mesh_.positions);
+  void joinEqual(std::vector<Index> first) {
+    if (first.empty()) first = weld(mesh_.positions);
     std::vector<Index> number(first.size());
     for (Index v = 0; v < first.size(); ++v) {
       const bool isEqual = first[v] == v || haveSameAttributes(mesh_, v, first[v]);
       number[v] = isEqual ? first[v] : v;
-      if (!isEqual) isFixed_[v] = isFixed_[first[v]] = 1;
+      if (!isEqual) kinds_[v] = kinds_[first[v]] = Kind::Fixed;
     }
     for (Index& corner : mesh_.indices) corner = number[corner];
   }
@@ -150,20 +118,18 @@ class ThinningOut {
     for (std::size_t i = corners.size(); i-- > 0;) triangles_[--begins_[corners[i]]] = Index(i / 3);
   }
 
-  bool isGone(Index t) const { return mesh_.indices[std::size_t{3} * t] == kNone; }
-
-  // Visits the triangles at a vertex as (b, c, number), counterclockwise after the vertex; also
-  // those that came to it in this pass.
+  // Visits the triangles at a vertex as (b, c, number), counterclockwise after the vertex. What
+  // came to it in this pass is not listed yet.
   template <class Visit>
   void forEachAt(Index v, Visit visit) const {
-    for (const Index part : {v, next_[v]}) {
-      if (part == kNone) continue;
-      for (Index i = begins_[part]; i < begins_[part + 1]; ++i) {
-        if (isGone(triangles_[i])) continue;
-        const Index* const t = &mesh_.indices[std::size_t{3} * triangles_[i]];
-        const int k = t[0] == v ? 0 : t[1] == v ? 1 : 2;
-        visit(t[(k + 1) % 3], t[(k + 2) % 3], triangles_[i]);
-      }
+    for (Index i = begins_[v]; i < begins_[v + 1]; ++i) {
+      const Index* const t = &mesh_.indices[std::size_t{3} * triangles_[i]];
+      if (t[0] == v)
+        visit(t[1], t[2], triangles_[i]);
+      else if (t[1] == v)
+        visit(t[2], t[0], triangles_[i]);
+      else if (t[2] == v)  // of a triangle that is gone it is none
+        visit(t[0], t[1], triangles_[i]);
     }
   }
 
@@ -199,14 +165,20 @@ class ThinningOut {
       if (edge.isOpen() && borders_ == OpenBorders::Keep) return false;
       borders += edge.isBorder ? 1 : 0;
     }
-    isOnBorder_ = borders > 0;
     return borders == 0 || borders == 2;
+  }
+
+  Kind kindOf(Index v) {
+    if (kinds_[v] == Kind::Fixed || !gatherRing(v)) return Kind::Fixed;
+    const bool isOnBorder =
+        std::any_of(ring_.begin(), ring_.end(), [](const RingEdge& edge) { return edge.isBorder; });
+    return isOnBorder ? Kind::OnBorder : Kind::Inner;
   }
 
   void measureVertices() {
     quadrics_.resize(mesh_.positions.size());
     for (Index v = 0; v < quadrics_.size(); ++v) {
-      if (!gatherRing(v)) isFixed_[v] = 1;
+      kinds_[v] = kindOf(v);
       LocalQuadric& quadric = quadrics_[v];
       forEachAt(v, [&](Index b, Index c, Index) {
         const Vec3 first = way(v, b), second = way(v, c);
@@ -229,38 +201,30 @@ class ThinningOut {
     quadric.area += float(edge.squaredNorm());
   }
 
+  // Around an inner vertex each neighbour comes first in one triangle.
   Going cheapest(Index v) {
     Going best;
-    if (isFixed_[v] || begins_[v] == begins_[v + 1] || !gatherRing(v)) return best;
-    for (const RingEdge& edge : ring_) {
-      if (isOnBorder_ && !edge.isBorder) continue;
-      const Index u = edge.neighbor;
-      const double sum = quadrics_[v].at(way(v, u)) + quadrics_[u].constant;
-      const double area = double{quadrics_[v].area} + quadrics_[u].area;
-      const float cost = float(std::max(sum, 0.0) * std::sqrt(area));
+    const LocalQuadric& own = quadrics_[v];
+    const auto consider = [&](Index u) {
+      const double sum = own.at(way(v, u)) + quadrics_[u].constant;
+      const double area = double{own.area} + quadrics_[u].area;
+      const float cost = float(std::max(sum, 0.0) * std::sqrt(area)) + 0.0F;  // -0 + 0 is 0
       if (best.into == kNone || cost < best.cost || (cost == best.cost && u < best.into))
         best = {u, cost};
+    };
+    if (kinds_[v] == Kind::Inner) {
+      forEachAt(v, [&](Index b, Index, Index) { consider(b); });
+    } else if (kinds_[v] == Kind::OnBorder && gatherRing(v)) {
+      for (const RingEdge& edge : ring_)
+        if (edge.isBorder) consider(edge.neighbor);
     }
     return best;
   }
 
   void pass(std::size_t wanted) {
     goings_.resize(mesh_.positions.size());
-    order_.clear();
-    order_.reserve(count_);
-    for (Index v = 0; v < goings_.size(); ++v) {
-      goings_[v] = cheapest(v);
-      if (goings_[v].into != kNone) order_.push_back(v);
-    }
-    const auto isCheaper = [&](Index v, Index w) {
-      const float cost = goings_[v].cost, other = goings_[w].cost;
-      return cost != other ? cost < other : v < w;
-    };
-    const std::size_t most = std::min(order_.size(), std::max<std::size_t>(count_ / kPassPart, 1));
-    const auto end = order_.begin() + std::ptrdiff_t(most);
-    std::nth_element(order_.begin(), end, order_.end(), isCheaper);
-    std::sort(order_.begin(), end, isCheaper);
-    order_.resize(most);
+    for (Index v = 0; v < goings_.size(); ++v) goings_[v] = cheapest(v);
+    sortByCost();
     for (const Index v : order_) {
       if (count_ <= wanted) break;
       const Index u = goings_[v].into;
@@ -268,54 +232,79 @@ class ThinningOut {
       go(v, u);
     }
     std::fill(isTouched_.begin(), isTouched_.end(), 0);
-    std::fill(next_.begin(), next_.end(), kNone);
+  }
+
+  // Lists the cheapest vertices in slices, and those of a slice by their numbers: neighbours in
+  // memory are mostly neighbours on the surface, and what is far apart in memory takes long to get.
+  void sortByCost() {
+    // Floats that are not negative are in the order of their bits; so many are told apart.
+    constexpr int kIgnored = 15;
+    const auto bucketOf = [&](Index v) { return bitsOf(goings_[v].cost) >> kIgnored; };
+    std::vector<Index> ranks((std::size_t{1} << (32 - kIgnored)) + 1, 0);
+    for (Index v = 0; v < goings_.size(); ++v)
+      if (goings_[v].into != kNone) ++ranks[bucketOf(v) + 1];
+    std::partial_sum(ranks.begin(), ranks.end(), ranks.begin());
+    const std::size_t most =
+        std::min<std::size_t>(ranks.back(), std::max<std::size_t>(count_ / kPassPart, 1));
+    const auto sliceOf = [&](Index v) { return kSlices * std::size_t{ranks[bucketOf(v)]} / most; };
+    std::array<std::size_t, kSlices + 1> ends{};
+    for (Index v = 0; v < goings_.size(); ++v)
+      if (goings_[v].into != kNone && sliceOf(v) < kSlices) ++ends[sliceOf(v) + 1];
+    std::partial_sum(ends.begin(), ends.end(), ends.begin());
+    order_.resize(ends.back());
+    for (Index v = 0; v < goings_.size(); ++v)
+      if (goings_[v].into != kNone && sliceOf(v) < kSlices) order_[ends[sliceOf(v)]++] = v;
+  }
+
+  static std::uint32_t bitsOf(float cost) {
+    std::uint32_t bits;
+    std::memcpy(&bits, &cost, sizeof bits);
+    return bits;
   }
 
   // Whether the topology stays and no triangle turns too far.
   bool mayGo(Index v, Index u) {
-    if (!gatherRing(v)) return false;
+    if (kinds_[v] == Kind::OnBorder && !gatherRing(v)) return false;
+    around_.clear();
     int shared = 0;
     bool isAllowed = true;
     forEachAt(v, [&](Index b, Index c, Index) {
       const bool isShared = b == u || c == u;
       shared += isShared ? 1 : 0;
-      isAllowed = isAllowed && (isShared ? !isTip(b == u ? c : b) : !turnsTooFar({v, b, c}, u));
+      around_.insert(around_.end(), {b, c});
+      isAllowed = isAllowed && (isShared ? !isTip(v, b == u ? c : b) : !turnsTooFar({v, b, c}, u));
     });
-    if (!isAllowed || shared == 0) return false;
-    others_.clear();
-    forEachAt(u, [&](Index b, Index c, Index) {
-      if (b == v || c == v) return;
-      others_.insert(others_.end(), {b, c});
-      isAllowed = isAllowed && !hasTriangle(v, b, c);
-    });
-    return isAllowed && commonNeighbors(v, u) == shared;
+    return isAllowed && shared > 0 && commonNeighbors(v, u) == shared;
   }
 
-  // Whether both edges of the ring's vertex in a triangle are borders, of which that to w would
-  // come to lie on the third edge.
-  bool isTip(Index w) const {
-    return isOnBorder_ && std::any_of(ring_.begin(), ring_.end(), [&](const RingEdge& edge) {
-             return edge.isBorder && edge.neighbor == w;
-           });
+  // Whether both edges of a border's vertex in a triangle are borders, of which that to w would
+  // come to lie on the third edge. The ring is that of v.
+  bool isTip(Index v, Index w) const {
+    return kinds_[v] == Kind::OnBorder &&
+           std::any_of(ring_.begin(), ring_.end(),
+                       [&](const RingEdge& edge) { return edge.isBorder && edge.neighbor == w; });
   }
 
-  bool hasTriangle(Index v, Index x, Index y) const {
-    bool result = false;
-    forEachAt(v,
-              [&](Index b, Index c, Index) { result |= (b == x && c == y) || (b == y && c == x); });
-    return result;
+  bool isAround(Index w) const {
+    return std::find(around_.begin(), around_.end(), w) != around_.end();
   }
 
-  // The ring is that of v, the others are u's, without triangles that both have.
+  // The number of vertices that both have edges to; -1 if an edge between two of them closes a
+  // triangle with either.
   int commonNeighbors(Index v, Index u) {
-    forEachAt(v, [&](Index b, Index c, Index) {
-      if (b == u) others_.push_back(c);
-      if (c == u) others_.push_back(b);
+    common_.clear();
+    bool isApart = true;
+    forEachAt(u, [&](Index b, Index c, Index) {
+      const bool hasB = b != v && isAround(b), hasC = c != v && isAround(c);
+      for (const Index w : {hasB ? b : kNone, hasC ? c : kNone})
+        if (w != kNone && std::find(common_.begin(), common_.end(), w) == common_.end())
+          common_.push_back(w);
+      if (!hasB || !hasC) return;
+      for (std::size_t i = 0; i < around_.size(); i += 2)
+        isApart = isApart && !(around_[i] == b && around_[i + 1] == c) &&
+                  !(around_[i] == c && around_[i + 1] == b);
     });
-    int common = 0;
-    for (const RingEdge& edge : ring_)
-      common += std::find(others_.begin(), others_.end(), edge.neighbor) != others_.end() ? 1 : 0;
-    return common;
+    return isApart ? int(common_.size()) : -1;
   }
 
   bool turnsTooFar(const std::array<Index, 3>& t, Index u) const {
@@ -337,7 +326,6 @@ class ThinningOut {
         std::replace(corners, corners + 3, v, u);
     });
     quadrics_[u].add(quadrics_[v], way(u, v));
-    next_[u] = v;
     isTouched_[u] = isTouched_[v] = 1;
     --count_;
   }
@@ -346,23 +334,23 @@ class ThinningOut {
   const OpenBorders borders_;
   double scale_ = 1;  // a power of two: edges are about 1 long
   std::size_t count_ = 0;
-  std::vector<char> isFixed_;
-  std::vector<Index> next_;  // per vertex the one that went into it in this pass
-  std::vector<char> isTouched_;
+  std::vector<Kind> kinds_;
+  std::vector<char> isTouched_;  // in this pass
   std::vector<Index> begins_, triangles_;
   std::vector<LocalQuadric> quadrics_;
   std::vector<Going> goings_;  // per vertex
   std::vector<Index> order_;   // the cheapest vertices
   std::vector<RingEdge> ring_;
-  std::vector<Index> others_;
-  bool isOnBorder_ = false;  // of the last ring gathered
+  std::vector<Index> around_;  // the edges opposite a vertex in its triangles, two ends each
+  std::vector<Index> common_;
 };
 
 }  // namespace
 
-TriangleMesh thinnedOut(TriangleMesh mesh, const ThinOut& wanted) {
+TriangleMesh thinnedOut(TriangleMesh mesh, ThinOut wanted) {
   mesh.isQuads = false;
-  if (!mesh.indices.empty()) ThinningOut(mesh, wanted.borders).run(wanted.vertices);
+  const std::size_t count = wanted.vertices;
+  if (!mesh.indices.empty()) ThinningOut(mesh, std::move(wanted)).run(count);
   keepUsedVertices(mesh);
   return mesh;
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "base/triangle_mesh.h"
 
@@ -15,6 +16,7 @@ enum class OpenBorders : char { Shorten, Keep };
 struct ThinOut {
   std::size_t vertices = 0;  // wanted; more are left where no more may go
   OpenBorders borders = OpenBorders::Shorten;
+  std::vector<Index> first = {};  // per vertex the first at its place (see weld); empty if unknown
 };
 
 // Vertices go into neighbours, which stay where they are, those first that change the shape least
@@ -23,6 +25,6 @@ struct ThinOut {
 // more than two triangles, and at places with several attributes stay. No triangle turns by 60° or
 // more at once, and the topology stays. Vertices equal in everything become one, and triangles
 // without three different vertices go. The mesh must be valid (see requireValid).
-TriangleMesh thinnedOut(TriangleMesh mesh, const ThinOut& wanted);
+TriangleMesh thinnedOut(TriangleMesh mesh, ThinOut wanted);
 
 }  // namespace remesher

@@ -11,11 +11,12 @@ import { brotliCompressSync, constants } from 'node:zlib';
 
 import { Api } from '../../dist/api/api.js';
 import { Client } from '../../dist/api/client.js';
+import { Modules, thinnedAbove } from '../../dist/api/modules.js';
 import * as platform from '../../dist/platform_node.js';
 import { Engine } from '../../dist/worker/engine.js';
 import { rejectsWith } from '../support/errors.js';
 import { octahedron, offText, signetRing, torus } from '../support/shapes.js';
-import { root } from '../support/tree.js';
+import { readText, root } from '../support/tree.js';
 
 const files = { arrays: 'remesher_arrays.wasm', whole: 'remesher.wasm' };
 const pathOf = (/** @type {string} */ file) => join(root, 'dist', file);
@@ -122,6 +123,19 @@ test('init names where both engines are', async () => {
   await api.remeshFile(bytes, named);
   await api.remesh(octahedron(), { vertices: 30 });
   assert.deepEqual(compiled, ['the whole']);
+});
+
+test('huge meshes take the engine that thins them out, where it is to be had', () => {
+  const jobOf = (/** @type {number} */ triangles) => ({ kind: /** @type {const} */ ('remesh'),
+    options: { vertices: 30 },
+    parts: [{ mesh: { ...octahedron(), indices: new Uint32Array(3 * triangles) } }] });
+  const modules = new Modules(platform.compileArrays);
+  assert.equal(modules.engineFor(jobOf(thinnedAbove + 1)), 'arrays');
+  modules.offer('whole', platform.compileWhole);
+  assert.equal(modules.engineFor(jobOf(thinnedAbove)), 'arrays');
+  assert.equal(modules.engineFor(jobOf(thinnedAbove + 1)), 'whole');
+  const [, digits] = /triangles = ([\d']+)/.exec(readText('src/jobs/thinned_parts.h')) ?? [];
+  assert.equal(Number(digits.replaceAll("'", '')), thinnedAbove);
 });
 
 test('what names no engine is refused', async () => {

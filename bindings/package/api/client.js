@@ -7,7 +7,7 @@
 
 import { RemeshError, abortError, errorFrom } from '../base/errors.js';
 import { inJavaScript } from '../base/options.js';
-import { Modules, neededBy } from './modules.js';
+import { Modules } from './modules.js';
 
 /** @import { EngineName, FromWorker, Job, ProgressEvent, ToWorker } from '../base/messages.js' */
 
@@ -195,7 +195,7 @@ export class Client {
     if (this.#isRunning || !task) return;
     this.#isRunning = true;
     try {
-      const worker = await this.warmUp(neededBy(task.job));
+      const worker = await this.warmUp(this.modules.engineFor(task.job));
       if (this.#tasks[0] !== task) return; // aborted meanwhile
       if (!worker) {
         const result = await this.#runHere(task.job, task);
@@ -290,7 +290,7 @@ export class Client {
    * @param {{ signal?: AbortSignal, onProgress?: (event: ProgressEvent) => void }} options
    */
   async #runHere(job, { signal, onProgress }) {
-    const engine = await this.#engineHere(neededBy(job));
+    const engine = await this.#engineHere(this.modules.engineFor(job));
     if (signal?.aborted) throw abortError();
     /** @type {unknown} */
     let thrown;

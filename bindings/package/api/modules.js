@@ -24,6 +24,14 @@ export function neededBy(job) {
   return isPlain ? 'arrays' : 'whole';
 }
 
+/** Only the whole engine thins out meshes of more triangles than these before anything is built of
+ * them; src/jobs/thinned_parts.h has the same number. */
+export const thinnedAbove = 1_500_000;
+
+/** Whether a job that the small engine can run had better be the whole one's. @param {Job} job */
+const isHuge = (job) => job.kind === 'remesh'
+  && job.parts.some(({ mesh }) => mesh.indices.length > 3 * thinnedAbove);
+
 const wholeIsMissing = () => new RemeshError('UNSUPPORTED',
   'Repair, quads, regions, common faces, limits of every edge and levels by pixels are not in the '
     + 'engine for arrays.',
@@ -38,6 +46,12 @@ export class Modules {
   /** @param {Compile} compileArrays */
   constructor(compileArrays) {
     this.#sources.arrays = compileArrays;
+  }
+
+  /** The engine for a job. @param {Job} job @returns {EngineName} */
+  engineFor(job) {
+    const isWhole = isHuge(job) && this.#sources.whole !== undefined;
+    return isWhole ? 'whole' : neededBy(job);
   }
 
   /** Sets where an engine comes from, if nobody says otherwise. @param {EngineName} engine

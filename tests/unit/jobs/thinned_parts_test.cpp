@@ -87,3 +87,47 @@ TEST_CASE("thinned parts: what the result can show, or an option needs, stays") 
   std::vector<io::Part> parts = fineSheet();
   CHECK(!ThinnedParts(parts, vertices(60)).isThinned());
 }
+
+TEST_CASE("thinned parts: what has no room is refused before the work, in numbers that are true") {
+  ThinningLimits limits = kSmall;
+  // 5000 triangles take 600 bytes each, or 110 and 600 for each that is left.
+  const auto told = [&](const RemeshOptions& options) -> std::string {
+    std::vector<io::Part> parts = fineSheet();
+    try {
+      const ThinnedParts thinned(parts, options, limits);
+      return thinned.isThinned() ? "thinned" : "as it is";
+    } catch (const Error& error) {
+      CHECK(error.code == ErrorCode::OutOfMemory);
+      CHECK(parts.front().mesh.triangleCount() == 5000);
+      return std::string(error.what()) + " | " + error.hint;
+    }
+  };
+  limits.addresses = 3e6;
+  CHECK(told(vertices(200)) == "as it is");
+  limits.addresses = 2e6;
+  const std::string refused = told(vertices(200));
+  CHECK(refused.find("has 5000 triangles. To remesh it takes about 0.003 GB of memory; this build "
+                     "has 0.002 GB, enough for about 3333 triangles. | For up to 92 vertices it is "
+                     "thinned out first") != std::string::npos);
+  CHECK(told(vertices(92)) == "thinned");
+  CHECK(told(vertices(93)).find("For up to 92 vertices") != std::string::npos);
+  RemeshOptions bound = vertices(60);
+  bound.maxError = 1;
+  CHECK(told(bound).find("unless an option needs all of it") != std::string::npos);
+  limits.addresses = 0.9e6;
+  CHECK(told(vertices(4)).find(" | Give it in parts") != std::string::npos);
+}
+
+TEST_CASE("thinned parts: what is said of room before is what happens then") {
+  ThinningLimits limits = kSmall;
+  limits.addresses = 3e6;
+  CHECK(roomWarnings(fineSheet(), limits).empty());
+  limits.addresses = 2e6;
+  const std::vector<Warning> warnings = roomWarnings(fineSheet(), limits);
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings[0].code == "NEEDS_THINNING");
+  CHECK(warnings[0].message.find("For up to 92 vertices it is thinned out first.") !=
+        std::string::npos);
+  limits.addresses = 0.9e6;
+  CHECK_THROWS_AS(roomWarnings(fineSheet(), limits), Error);
+}

@@ -92,6 +92,8 @@ export default {
     + 'gleichmäßige Dreiecke, die nirgends sichtbar abweichen.',
   'warning.NAME_CONTRADICTS': 'Die Datei ist etwas anderes, als ihr Name sagt; sie wird als das '
     + 'gelesen, was sie ist.',
+  'warning.NEEDS_THINNING': 'Für das Modell, wie es ist, reicht der Speicher nicht; für wenige '
+    + 'Punkte wird es zuerst ausgedünnt.',
   'warning.NON_FINITE_ATTRIBUTE': 'Unendliche Werte und solche, die keine Zahlen sind, gelten '
     + 'als 0.',
   'warning.NON_MANIFOLD_EDGES_MADE': 'Teile, die aufeinander liegen, teilen sich Kanten des '

@@ -93,6 +93,8 @@ export default {
     + 'sommets pour des triangles réguliers sans écart visible.',
   'warning.NAME_CONTRADICTS': 'Le fichier n’est pas ce que dit son nom ; il est lu comme ce qu’il '
     + 'est.',
+  'warning.NEEDS_THINNING': 'La mémoire ne suffit pas au modèle tel qu’il est ; pour peu de '
+    + 'sommets, il est d’abord éclairci.',
   'warning.NON_FINITE_ATTRIBUTE': 'Les valeurs infinies ou qui ne sont pas des nombres comptent '
     + 'pour 0.',
   'warning.NON_MANIFOLD_EDGES_MADE': 'Des parties posées l’une sur l’autre partagent des arêtes du '
