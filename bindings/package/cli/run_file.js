@@ -116,6 +116,10 @@ async function withGuides(task) {
   return { ...task, options: { ...task.options, guides: guidesFrom({ name, bytes }, named) } };
 }
 
+/** What the functions of files take without copying it, which only the package itself may give.
+ * @param {Input | undefined} input @returns {import('../api/inputs.js').Bytes} */
+const taken = (input) => /** @type {any} */ (input?.content);
+
 /**
  * @param {FileTask} task
  * @param {Api} api
@@ -124,7 +128,8 @@ async function withGuides(task) {
  * @returns {Promise<FileResult>}
  */
 async function work({ command, outputName: output, options }, api, [file, second], run) {
-  const { name, content, resources } = file;
+  const { name, resources } = file;
+  const [content, other] = [file, second].map(taken);
   const about = { ...run, name, resources };
   switch (command) {
     case 'inspect':
@@ -141,10 +146,10 @@ async function work({ command, outputName: output, options }, api, [file, second
     case 'unwrap':
       return api.unwrapFile(content, { ...options, ...about, output });
     case 'bake':
-      return api.bakeFile(content, second.content, { ...options, ...about, output,
+      return api.bakeFile(content, other, { ...options, ...about, output,
         nameLow: second.name, resourcesLow: second.resources });
     default:
-      return api.booleanFiles(content, second.content, command, { ...run, output, nameA: name,
+      return api.booleanFiles(content, other, command, { ...run, output, nameA: name,
         nameB: second.name, resourcesA: resources, resourcesB: second.resources });
   }
 }
