@@ -203,7 +203,7 @@ class QuadMaking {
       MadeQuads one = made(share);
       if (!best || lackOf(one) < lackOf(*best)) best = std::move(one);
     }
-    if (partFromImages(best->mesh, goal_.mirrors, bases_.first()) > 0)
+    if (goal_.isForced && partFromImages(best->mesh, goal_.mirrors, bases_.first()) > 0)
       settle(best->mesh, bases_.first());
     if (!goal_.isDraft) reachTips(best->mesh, bases_.first(), kSmoothingSweeps);
     return std::move(*best);

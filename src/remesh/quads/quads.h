@@ -37,6 +37,7 @@ struct QuadGoal {
   bool isGraded = false;           // sizes of quads vary as those of the triangles
   bool isDraft = false;            // on fewer triangles, and lost tips stay lost
   bool isPart = false;             // one of several connected parts: on fewer triangles
+  bool isForced = false;           // the half is to be mirrored, whatever that costs
   std::vector<Guide> guides = {};  // lines on the surface that lead the cross field
 };
 

@@ -108,6 +108,7 @@ RemeshOutcome remeshToQuads(Plan plan, const TriangleMesh& input, const RemeshOp
   const bool isGraded = *options.adaptivity > 0 || !options.density.empty();
   QuadGoal goal{aim, wanted.exact, options.mirrors, isGraded, wanted.quality == Quality::Draft};
   goal.isPart = run.scope == Scope::Part;
+  goal.isForced = isHalf && isForced(options.symmetry);
   goal.guides = options.guides;
   const MadeQuads quads = makeQuads(goal, triangles);
   progress.phase("extract", 1, 1);

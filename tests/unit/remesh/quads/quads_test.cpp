@@ -82,13 +82,6 @@ TEST_CASE("quads: the map reaches the number within a hundredth, with few irregu
   CHECK(double(quads.vertices.size()) == doctest::Approx(490).epsilon(0.01));
 }
 
-TEST_CASE("quads: no map has fewer vertices than its field has singular ones") {
-  const OriginalSurface surface = shapes::surfaceOf(shapes::icosphere(9));
-  const WorkingMesh ground(surface);
-  CHECK(mapToQuads(ground, 7, evenSizes).quads.empty());
-  CHECK(!mapToQuads(ground, 26, evenSizes).quads.empty());
-}
-
 TEST_CASE("quads: nothing folds at sharp edges, and each of them is followed") {
   for (const shapes::Shape& shape : {shapes::Shape{"box", shapes::cube(6), 2, 1, 0},
                                      shapes::Shape{"ring", squareRing(24, 4), 0, 1, 0},
