@@ -19,8 +19,8 @@ using namespace remesher;
 
 namespace {
 
-using Coordinates = std::array<double, 3>;
-using Corners = std::array<Coordinates, 3>;  // the least first
+using Place3 = std::array<double, 3>;
+using CommonCorners = std::array<Place3, 3>;  // the least first
 
 std::vector<TriangleMesh> bodiesByGroup(const TriangleMesh& mesh) {
   std::vector<TriangleMesh> bodies(groupCount(mesh));
@@ -33,10 +33,10 @@ std::vector<TriangleMesh> bodiesByGroup(const TriangleMesh& mesh) {
 
 enum class Side { Own, Turned };
 
-std::multiset<Corners> trianglesOf(const TriangleMesh& body, Side side) {
-  std::multiset<Corners> all;
+std::multiset<CommonCorners> trianglesOf(const TriangleMesh& body, Side side) {
+  std::multiset<CommonCorners> all;
   for (std::size_t t = 0; t < body.triangleCount(); ++t) {
-    Corners corners;
+    CommonCorners corners;
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3 p = canonicalPlace(body.positions[body.indices[3 * t + k]]);
       corners[k] = {p.x(), p.y(), p.z()};
@@ -49,9 +49,9 @@ std::multiset<Corners> trianglesOf(const TriangleMesh& body, Side side) {
 }
 
 std::size_t countCommon(const TriangleMesh& one, const TriangleMesh& other) {
-  const std::multiset<Corners> own = trianglesOf(one, Side::Own);
-  const std::multiset<Corners> its = trianglesOf(other, Side::Turned);
-  std::vector<Corners> common;
+  const std::multiset<CommonCorners> own = trianglesOf(one, Side::Own);
+  const std::multiset<CommonCorners> its = trianglesOf(other, Side::Turned);
+  std::vector<CommonCorners> common;
   std::set_intersection(own.begin(), own.end(), its.begin(), its.end(), std::back_inserter(common));
   return common.size();
 }
