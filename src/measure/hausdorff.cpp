@@ -12,6 +12,7 @@
 #include "geometry/triangle_tree.h"
 #include "measure/distance_bound.h"
 #include "measure/salient_vertices.h"
+#include "mesh/edge_groups.h"
 
 namespace remesher {
 
@@ -32,6 +33,8 @@ constexpr Spread kGlimpsed = {32, 2000, 10'000}, kSampled = {4, 5000, 50'000},
 // grid of kSearchGrid steps along an edge.
 constexpr std::size_t kSearchedTriangles = 64;
 constexpr int kSearchGrid = 6;
+// The steps in which a border edge is looked at.
+constexpr int kBorderSteps = 4;
 // Distances below this share of the maximum found so far are not measured further if only the
 // maximum counts.
 constexpr double kFarBelow = 0.5, kBelow = 0.9;
@@ -137,7 +140,8 @@ class Measurement {
         atVertices_(from.triangles.positions.size(), kUnknown),
         starts_(from.triangles.size(), 0),
         largest_(from.triangles.size(), 0),
-        diagonal_(diagonal) {}
+        diagonal_(diagonal),
+        isBorder_(bordersOf(from.triangles)) {}
 
   Deviation run(Maximum maximum) {
     sample(maximum);
@@ -152,6 +156,24 @@ class Measurement {
   }
 
  private:
+  // Per corner whether no other triangle shares the edge from it.
+  static std::vector<char> bordersOf(const Triangles& triangles) {
+    std::vector<char> isBorder(triangles.indices.size(), 0);
+    const EdgeGroups edges(triangles.positions.size(), triangles.indices);
+    for (std::size_t e = 0; e < edges.size(); ++e)
+      if (edges[e].size() == 1) isBorder[edges[e][0]] = 1;
+    return isBorder;
+  }
+
+  // The largest squared distance at a few points of a border edge. An edge that cuts a bend of the
+  // other border is farthest away there, where points spread by area seldom come.
+  double alongBorder(const Vec3& a, const Vec3& b) {
+    double largest = 0;
+    for (int i = 1; i < kBorderSteps; ++i)
+      largest = std::max(largest, lookBeyond(kFarBelow, a + (b - a) * i / kBorderSteps));
+    return largest;
+  }
+
   double note(const TriangleTree::Nearest& nearest) {
     last_ = nearest.triangle;
     squaredMaximum_ = std::max(squaredMaximum_, nearest.squaredDistance);
@@ -179,6 +201,8 @@ class Measurement {
         float& own = atVertices_[from_.triangles.indices[std::size_t{3} * t + k]];
         if (own == kUnknown) own = static_cast<float>(lookBeyond(kFarBelow, corners[k]));
         largest = std::max(largest, double{own});
+        if (isBorder_[std::size_t{3} * t + k])
+          largest = std::max(largest, alongBorder(corners[k], corners[(k + 1) % 3]));
       }
       for (due_ += areaOf(corners) * perArea; due_ >= 1; due_ -= 1) {
         const double squaredDistance = look(at(points_.next(), corners));
@@ -234,6 +258,7 @@ class Measurement {
   std::vector<Index> starts_;      // per triangle of `from`: a near one of `to`
   std::vector<float> largest_;     // per triangle of `from`: the largest squared distance sampled
   double diagonal_;
+  const std::vector<char> isBorder_;
   Index last_ = kNone;
   double squaredMaximum_ = 0;
   EvenPoints points_;

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "base/place.h"
 #include "support/soups.h"
@@ -154,4 +155,29 @@ TEST_CASE("hausdorff: fewer points change the root mean square by no more than a
     CHECK(measureFidelity(a, b, Maximum::Sampled).rms == Approx(exact).epsilon(0.02));
     CHECK(measureFidelity(a, b, Maximum::Glimpsed).rms == Approx(exact).epsilon(0.04));
   }
+}
+
+TEST_CASE("hausdorff: border edges that cut the bends of a small hole are seen") {
+  constexpr int kOuter = 64;
+  constexpr double kHole = 0.05;
+  const auto around = [](double radius, double turns) {
+    const double angle = 2 * std::numbers::pi * turns;
+    return Vec3(radius * std::cos(angle), radius * std::sin(angle), 0);
+  };
+  // Between a circle of 64 edges and a hole of fewer, all of them chords of a circle.
+  const auto ring = [&](int inner) {
+    TriangleMesh mesh;
+    const int each = kOuter / inner;
+    for (int i = 0; i < inner; ++i) {
+      const Vec3 a = around(kHole, double(i) / inner), b = around(kHole, double(i + 1) / inner);
+      const auto outer = [&](int k) { return around(1, double(i * each + k) / kOuter); };
+      for (int k = 0; k < each; ++k) soups::addTriangle(mesh, a, outer(k), outer(k + 1));
+      soups::addTriangle(mesh, a, outer(each), b);
+    }
+    return mesh;
+  };
+  const double exact =
+      kHole * (std::cos(std::numbers::pi / kOuter) - std::cos(std::numbers::pi / 8));
+  const double found = measureFidelity(ring(kOuter), ring(8), Maximum::Sampled).hausdorff;
+  CHECK(found == Approx(100 * exact / (2 * std::sqrt(2))).epsilon(0.05));
 }
