@@ -191,6 +191,7 @@ set(small
   src/jobs/parts/quad_diagonals.cpp
   src/jobs/repair_words.cpp
   src/jobs/scene_run.cpp
+  src/jobs/touching_parts.cpp
   src/measure/distance_bound.cpp
   src/measure/edge_report.cpp
   src/measure/mesh_report.cpp

@@ -85,12 +85,12 @@ RemeshSceneResult remeshScene(std::vector<PlacedMesh> scene, const RemeshOptions
   const Mending mending(parts, options, stretch.part(0, mended));
   const ConformRun conform(parts, options);
   std::vector<SceneRun> runs = region.within([&] {
-    const RemeshOptions chosen = mending.chosen(options);
-    return remeshLevels(parts, Held::Apart, thinned ? thinned->applied(chosen) : chosen,
-                        stretch.part(mended, 1));
+    RemeshOptions chosen = conform.applied(mending.chosen(options));
+    if (thinned) chosen = thinned->applied(std::move(chosen));
+    return remeshLevels(conform.parts(), Held::Apart, chosen, stretch.part(mended, 1));
   });
   conform.finish(runs);
-  mending.note(runs.front().report);
+  mending.note(runs.front());
   if (thinned) thinned->note(runs);
   region.finish(runs);
   runs.front().report.warnings = joined(settled, runs.front().report.warnings);
@@ -165,7 +165,7 @@ RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
       all = region.within(
           [&] { return remeshLevels(conform.parts(), heldIn(outputName), chosen, body); });
     conform.finish(all);
-    mending.note(all.front().report);
+    mending.note(all.front());
     thinned.note(all);
     region.finish(all);
     return all;

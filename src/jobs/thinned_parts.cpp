@@ -36,7 +36,7 @@ bool allowsThinning(const RemeshOptions& options) {
   const bool isNumbered = !options.density.empty() || !options.featureEdges.empty() ||
                           !options.region.empty() || wantsOfEach(options);
   return options.scheme == Scheme::Best && !isBound && !isNumbered && !isMended(options) &&
-         !options.quads && options.textures != Textures::Bake;
+         !options.quads && !options.conform && options.textures != Textures::Bake;
 }
 
 // The vertices asked for; of an edge length and of no number it is not known yet.
