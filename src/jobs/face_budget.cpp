@@ -13,6 +13,9 @@ constexpr int kMostTries = 5, kMostTriesOfQuads = 3;
 // So many times fewer faces than the budget are near enough: a vertex more changes the number of
 // open edges as well.
 constexpr std::size_t kNearTriangles = 2000, kNearQuads = 25;
+// Each time that there are still too many quads, by so much more of the budget fewer are asked for:
+// neighbouring numbers of vertices give the same quads.
+constexpr double kFewerQuads = 0.01;
 
 }  // namespace
 
@@ -33,6 +36,7 @@ Index verticesFor(Index faces, const RemeshOptions& options, const MeshReport& i
 
 FaceSearch::FaceSearch(const RemeshOptions& options, const MeshReport& input)
     : budget_(*options.faces),
+      areQuads_(options.quads),
       facesPerVertex_(options.quads ? 1 : 2),
       closeEnough_(
           std::max<std::size_t>(1, budget_ / (options.quads ? kNearQuads : kNearTriangles))),
@@ -50,10 +54,13 @@ bool FaceSearch::take(const MeshReport& made) {
   const bool isBest = isBetter(faces);
   if (isBest) best_ = faces;
   ++tries_;
-  const double missing = std::floor((double(budget_) - double(faces)) / facesPerVertex_);
+  double missing = std::floor((double(budget_) - double(faces)) / facesPerVertex_);
+  if (areQuads_ && faces > budget_)
+    missing = std::min(missing, -std::ceil(kFewerQuads * beyond_++ * double(budget_)));
   const double vertices = double(next_) + missing;
   const bool isNear = faces <= budget_ && budget_ - faces <= closeEnough_;
-  isSettled_ = isNear || missing == 0 || vertices < 1 || tries_ >= kMostTries;
+  const int most = best_ <= budget_ ? kMostTries : kMostTries + kMostTriesOfQuads - 1;
+  isSettled_ = isNear || missing == 0 || vertices < 1 || tries_ >= most;
   if (!isSettled_) next_ = Index(vertices);
   return isBest;
 }

@@ -36,11 +36,13 @@ class FaceSearch {
   bool isBetter(std::size_t faces) const;
 
   std::size_t budget_;
+  bool areQuads_;
   double facesPerVertex_;
   std::size_t closeEnough_;  // so many faces fewer than the budget are no reason to go on
   Index next_;
   std::size_t best_ = 0;  // faces of the best result; 0: none yet
   int tries_ = 0;
+  int beyond_ = 0;  // results with more quads than the budget
   bool isSettled_ = false;
 };
 

@@ -63,6 +63,24 @@ TEST_CASE("face budget: of results beyond it the smallest is kept, of others the
   CHECK_FALSE(search.take(surface(102, 2, 0)));
 }
 
+TEST_CASE("face budget: quads that come in steps stay within it") {
+  RemeshOptions options = budgetOf(1800);
+  options.quads = true;
+  for (const Index step : {1U, 17U, 60U}) {  // as many numbers of vertices give the same quads
+    FaceSearch search(options, surface(8000, 2, 0));
+    std::size_t best = 0;
+    while (!search.isSettled()) {
+      const std::size_t quads = (search.vertices() - 3) / step * std::size_t{step} + step + 1;
+      MeshReport made = surface(2 * quads, 2, 0);
+      made.quads.emplace();
+      made.quads->count = quads;
+      if (search.take(made)) best = quads;
+    }
+    CHECK(best <= 1800);
+    CHECK(best >= 1650);
+  }
+}
+
 TEST_CASE("face budget: quads have as many vertices as faces, but for open edges") {
   RemeshOptions options = budgetOf(400);
   options.quads = true;
