@@ -36,6 +36,7 @@ constexpr std::array kDiagnostics = {
     Diagnostic{"HOLES_LEFT_OPEN", Severity::Fault},
     Diagnostic{"IMAGES_NOT_FITTING", Severity::Loss},
     Diagnostic{"INCONSISTENT_ORIENTATION_FIXED", Severity::Note},
+    Diagnostic{"INSTANCES_NOT_CONFORMED", Severity::Loss},
     Diagnostic{"ISOTROPIC_TAKES_MORE", Severity::Note},
     Diagnostic{"JOINTS_RELEASED", Severity::Loss},
     Diagnostic{"JOINT_NOT_IN_SKIN", Severity::Loss},

@@ -132,8 +132,10 @@ void TouchingParts::build(const RemeshOptions& options) {
 
 void TouchingParts::gather() {
   all_.isSingle = true;
+  std::size_t repeated = 0;
   for (const io::Part& part : given_) {
     requireValid(part.mesh);
+    repeated += part.instances.size() > 1 ? 1 : 0;
     firstGroups_.push_back(all_.groups.empty() ? 0 : Index(groupCount(all_)));
     if (!mayTouch(part)) continue;
     TriangleMesh placed = part.mesh;
@@ -143,6 +145,11 @@ void TouchingParts::gather() {
     appendMesh(all_, placed);
     all_.isSingle = all_.isSingle && part.mesh.isSingle;
   }
+  if (repeated > 0)
+    warnings_.push_back({"INSTANCES_NOT_CONFORMED",
+                         "Meshes that are shown at several places share no faces with others: give "
+                         "each place a mesh of its own.",
+                         repeated});
 }
 
 std::size_t TouchingParts::partOf(Index group) const {

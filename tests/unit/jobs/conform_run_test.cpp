@@ -188,6 +188,18 @@ TEST_CASE("conform: bodies that do not touch are remeshed as without, and gaps a
   }
 }
 
+TEST_CASE("conform: meshes shown at several places are left alone, which is said") {
+  const auto moved = [](double x) { return Transform(Eigen::Translation3d(x, 0, 0)); };
+  std::vector<PlacedMesh> scene(2);
+  scene[0].mesh = shapes::box({0, 0, 0}, {1, 1, 1});
+  scene[0].places = {moved(0), moved(3)};
+  scene[1].mesh = shapes::box({1, 0, 0}, {2, 1, 1});
+  scene[1].places = {moved(0)};
+  const RemeshSceneResult made = remeshScene(scene, conforming(300));
+  CHECK(says(made.report, "INSTANCES_NOT_CONFORMED"));
+  CHECK(!made.report.conform);
+}
+
 TEST_CASE("conform: overlaps beside common faces are said, with a place") {
   const TriangleMesh mesh =
       shapes::together({shapes::box({0, 0, 0}, {2, 1, 1}), shapes::box({0, 0, 1}, {1, 1, 2}),

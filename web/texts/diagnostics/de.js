@@ -70,6 +70,8 @@ export default {
     + 'den neuen Texturkoordinaten.',
   'warning.INCONSISTENT_ORIENTATION_FIXED': 'Dreiecke wurden umgedreht, damit sie zur selben Seite '
     + 'weisen wie die meisten neben ihnen.',
+  'warning.INSTANCES_NOT_CONFORMED': 'Netze, die an mehreren Orten gezeigt werden, teilen keine '
+    + 'Flächen mit anderen. Geben Sie jedem Ort ein eigenes Netz.',
   'warning.ISOTROPIC_TAKES_MORE': 'Form und Zahl der Punkte bleiben, mit ungleichmäßigen '
     + 'Dreiecken: Gleichmäßige brauchen viel mehr Punkte. Verlangen Sie eine größere Zahl.',
   'warning.JOINT_NOT_IN_SKIN': 'Punkte hingen an Gelenken, die ihr Skelett nicht hat; diese fallen '

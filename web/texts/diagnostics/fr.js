@@ -70,6 +70,8 @@ export default {
     + 'correspondent pas aux nouvelles coordonnées de texture.',
   'warning.INCONSISTENT_ORIENTATION_FIXED': 'Des triangles ont été retournés pour regarder du '
     + 'même côté que la plupart de leurs voisins.',
+  'warning.INSTANCES_NOT_CONFORMED': 'Des maillages montrés à plusieurs endroits ne partagent pas '
+    + 'de faces avec d’autres. Donnez à chaque endroit son propre maillage.',
   'warning.ISOTROPIC_TAKES_MORE': 'La forme et le nombre de sommets restent, avec des triangles '
     + 'irréguliers : des triangles réguliers demandent bien plus de sommets. Demandez-en plus.',
   'warning.JOINT_NOT_IN_SKIN': 'Des points étaient liés à des articulations que leur squelette n’a '
