@@ -19,7 +19,7 @@ namespace {
 constexpr Index kMostWholes = 1500;
 // Multiplications of all maps of a surface. A hundred integer variables take a thousandth of it: it
 // limits surfaces of many curves and handles only.
-constexpr double kMostMapWork = 2e9;
+constexpr double kMostMapWork = 4e9;
 
 MapPoint turned(const MapPoint& p, int turn) {
   switch (turn) {

@@ -27,7 +27,7 @@ namespace {
 constexpr std::size_t kMostTried = 80, kQuadsPerTry = 50;
 // Of the many wirings that change quads beside the bad one, these are mended: those with the least
 // faults before.
-constexpr std::size_t kMended = 12;
+constexpr std::size_t kMended = 28;
 
 // How much the quads lack to be sound, as squares over what they have, for several narrow quads are
 // better than one without area; and how irregular they are.
