@@ -33,9 +33,9 @@ inline bool isForced(Symmetry symmetry) {
 enum class Repair { Off, Holes, Solid, Wrap, Auto };  // what is mended before remeshing
 // Whether a lattice makes the surface anew: of the way that was taken, not of Auto.
 inline bool isRemade(Repair repair) { return repair == Repair::Solid || repair == Repair::Wrap; }
-enum class Sheets { Thicken, Drop };                  // what wrap does with open sheets
-enum class TooFew { Refuse, Raise };                  // for a target below what the surface needs
-enum class LodsBy { Shares, Pixels };                 // what `lods` says of each level
+enum class Sheets { Thicken, Drop };   // what wrap does with open sheets
+enum class TooFew { Refuse, Raise };   // for a target below what the surface needs
+enum class LodsBy { Shares, Pixels };  // what `lods` says of each level
 // If isotropic triangles exceed an error bound: use those of the original | end the run.
 enum class OutOfBound { FromOriginal, GiveUp };
 

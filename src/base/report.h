@@ -216,10 +216,10 @@ struct Report {
   MeshReport input;
   std::optional<MeshReport> output;  // none after an inspection
   std::optional<FidelityReport> fidelity;
-  std::optional<RepairReport> repair;  // only if requested
-  std::optional<DropReport> dropped;   // likewise
+  std::optional<RepairReport> repair;    // only if requested
+  std::optional<DropReport> dropped;     // likewise
   std::optional<ConformReport> conform;  // if bodies were to share faces
-  std::optional<AtlasReport> atlas;    // of baking onto a mesh, and of unwrapping
+  std::optional<AtlasReport> atlas;      // of baking onto a mesh, and of unwrapping
   Timings timings;
   std::vector<Phase> phases;  // in order; together they make up the run
   std::uint64_t peakBytes = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Measures anew what a named constant of the core is worth: a copy of the sources is built with each
-// value instead, and the cases are remeshed to seven numbers of vertices each. The table shows how
-// far the medians move.
+// Measures anew what a named constant of the core is worth: a copy of the sources is built with
+// each value instead, and the cases are remeshed to seven numbers of vertices each. The table shows
+// how far the medians move.
 import { execFileSync } from 'node:child_process';
 import { cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -50,7 +50,9 @@ export function runSensitivity(cases, { folder, constant, values, names }) {
     names.length === 0 || names.some((wanted) => label.startsWith(wanted)));
   rmSync(place, { recursive: true, force: true });
   mkdirSync(place, { recursive: true });
-  for (const source of sources) cpSync(join(root, source), join(place, source), { recursive: true });
+  for (const source of sources) {
+    cpSync(join(root, source), join(place, source), { recursive: true });
+  }
   const runs = (/** @type {string} */ tool) => chosen.map(([, { model, vertices }]) =>
     runsBy({ model, folder, vertices }, [''], tool)?.['']);
   const before = runs(build());

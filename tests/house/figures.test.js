@@ -108,7 +108,7 @@ test(`a function has at most ${limits.parameters} parameters`, () => {
 
 test('src/README.md names the engines of a kind, and each is there', () => {
   assert.ok(readText('src/README.md').includes(engineList()), 'npm run figures prints the list');
-  const missing = engines.flatMap(({ files }) => files).map(sourceOf)
+  const missing = engines.flatMap((kind) => kind.files).map(sourceOf)
     .filter((file) => !existsSync(join(root, file)));
   assert.deepEqual(missing, []);
 });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the house has more than one of: engines that do the same kind of work, by name, and the sizes
-// that the architecture is judged by. `npm run figures` prints both; src/README.md holds them.
+// Engines of the core that do the same kind of work, by name, and the sizes that the architecture
+// is judged by. `npm run figures` prints both; src/README.md lists the engines.
 import { constantsIn } from './constants.js';
 import { filesUnder, readText } from './tree.js';
 

@@ -14,8 +14,8 @@ struct GuidesOfHalf {
 };
 
 // A guide behind a plane is mirrored. One that crosses it is cut there, and what lies on the side
-// with less of it is left out. Of two that are nowhere farther apart than `near` the first stays; one
-// that is nowhere farther than half of that from a plane is left out. near: a side of quads.
+// with less of it is left out. Of two that are nowhere farther apart than `near` the first stays;
+// one that is nowhere farther than half of that from a plane is left out. near: a side of quads.
 GuidesOfHalf guidesInFront(const std::vector<Guide>& guides, const Mirrors& mirrors, double near);
 
 }  // namespace remesher

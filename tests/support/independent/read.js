@@ -29,7 +29,8 @@ function fromShorter(positions, face) {
  */
 export function triangulated(part, isShorter = false) {
   const triangles = [];
-  const faces = isShorter ? part.faces.map((face) => fromShorter(part.positions, face)) : part.faces;
+  const faces = isShorter ? part.faces.map((face) => fromShorter(part.positions, face))
+    : part.faces;
   for (const face of faces) {
     for (let k = 2; k < face.length; k += 1) triangles.push(face[0], face[k - 1], face[k]);
   }

@@ -146,8 +146,7 @@ TEST_CASE("chart_keeper: a triangle all within what is absorbed shows what is no
   for (Index f = 0; f < mesh.mesh().faceCapacity(); ++f) {
     CAPTURE(f);
     std::array<SurfacePoint, 3> points;
-    for (int k = 0; k < 3; ++k)
-      points[k] = mesh.cornerPoint(HalfedgeMesh::halfedge(Face(f), k));
+    for (int k = 0; k < 3; ++k) points[k] = mesh.cornerPoint(HalfedgeMesh::halfedge(Face(f), k));
     keeper.intoOneChart(points);
     for (const SurfacePoint& point : points) {
       CHECK_FALSE(rules.absorbed[point.face]);
