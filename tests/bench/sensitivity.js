@@ -31,7 +31,7 @@ function fileOf(constant) {
 function build() {
   const folder = join(place, 'build');
   const words = ['-G', 'Ninja', '-S', place, '-B', folder, '-DCMAKE_BUILD_TYPE=Release',
-    ...commonDefinitions(thisSystem()), '-DREMESHER_UNITY=OFF'];
+    ...commonDefinitions(thisSystem())];
   execFileSync('cmake', words, { stdio: 'ignore' });
   execFileSync('ninja', ['-C', folder, 'ablation'], { stdio: 'ignore' });
   return join(folder, 'ablation');
