@@ -71,6 +71,17 @@ std::size_t crossingsWithin(const std::vector<io::Part>& parts) {
   return count;
 }
 
+// Self-intersections of the result itself, in the report and in its warning.
+void recountCrossings(Report& report, const std::vector<io::Part>& result) {
+  const std::size_t count = crossingsWithin(result);
+  report.repair->selfIntersections[1] = count;
+  std::erase_if(report.warnings, [&](const Warning& warning) {
+    return count == 0 && warning.code == "CROSSINGS_LEFT";
+  });
+  for (Warning& warning : report.warnings)
+    if (warning.code == "CROSSINGS_LEFT") warning.count = count;
+}
+
 // Angles are no concern of a repair.
 std::vector<Warning> damageIn(const Report& report, const std::vector<io::Part>& result) {
   std::vector<Warning> warnings = joined(worseThanGiven({report.input, *report.output}, result),
@@ -177,8 +188,7 @@ void Mending::note(Report& report) const {
 
 void Mending::note(SceneRun& run) const {
   note(run.report);
-  if (!repair_) return;
-  run.report.repair->selfIntersections[1] = crossingsWithin(run.parts);
+  if (repair_) recountCrossings(run.report, run.parts);
 }
 
 RemeshOptions withPaint(RemeshOptions options, io::Model& model) {
@@ -215,8 +225,7 @@ RepairedParts repairOnly(std::vector<io::Part>& parts, Held held, const RemeshOp
   const std::vector<io::Part> shown = asHeld(parts, held);
   report.output = inspectScaled(shown);
   mending.note(report);
-  if (report.repair && (isRounded || shown.size() < parts.size()))
-    report.repair->selfIntersections[1] = crossingsWithin(shown);
+  if (report.repair && (isRounded || shown.size() < parts.size())) recountCrossings(report, shown);
   report.warnings = joined(std::move(report.warnings), damageIn(report, shown));
   for (const io::Part& part : parts)
     if (parts.size() > 1 && !isSurface(part.mesh))
