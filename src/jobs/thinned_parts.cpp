@@ -57,8 +57,7 @@ bool isFine(const io::Part& part, double asked, const ThinningLimits& limits) {
   return triangles > double(limits.triangles) && triangles > double(limits.perVertex) * asked;
 }
 
-// Measured: what reading, inspecting and thinning out take for each triangle, and what remeshing
-// takes in all.
+// Bytes for each triangle: of reading, inspecting and thinning out, and of all work of remeshing.
 constexpr double kBytesToThinOut = 110, kBytesToRemesh = 600;
 
 // A soup has more vertices than its surface, a mesh with doubled triangles more triangles.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The parts of a file whose bodies touch, as one part: a complex of surfaces that has each common
-// face once. What is made of it is told apart into the bodies again.
+// face once. The remeshed complex is split into the bodies again.
 #pragma once
 
 #include <vector>

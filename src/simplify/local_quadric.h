@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Quadrics of millions of vertices [Garland & Heckbert 1997], each in 48 bytes.
+// Quadrics of millions of vertices [Garland & Heckbert 1997], each in 44 bytes.
 #pragma once
 
 #include <array>

@@ -237,7 +237,7 @@ class ThinningOut {
   // Lists the cheapest vertices in slices, and those of a slice by their numbers: neighbours in
   // memory are mostly neighbours on the surface, and what is far apart in memory takes long to get.
   void sortByCost() {
-    // Floats that are not negative are in the order of their bits; so many are told apart.
+    // Floats that are not negative are in the order of their bits. The lowest ones are ignored.
     constexpr int kIgnored = 15;
     const auto bucketOf = [&](Index v) { return bitsOf(goings_[v].cost) >> kIgnored; };
     std::vector<Index> ranks((std::size_t{1} << (32 - kIgnored)) + 1, 0);

@@ -8,7 +8,7 @@ import { Stage } from './stage.js';
 /** @typedef {import('./solid.js').Polygons} Polygons */
 /** polygons: the result; words: figures of it.
  * @typedef {{ polygons: Polygons, words: string }} Made */
-/** @typedef {{ name: string, min: number, max: number, step: number, value: number }} Dial */
+/** @typedef {{ name: string, min: number, max: number, step: number, value: number }} Slider */
 
 /** Calls back once the element is about to be seen. @param {Element} seen
  * @param {() => void} begin */
@@ -23,10 +23,10 @@ function whenSeen(seen, begin) {
 
 /**
  * @param {HTMLElement} figure
- * @param {{ before: Polygons, dials: Dial[], make: (values: number[]) => Promise<Made>,
+ * @param {{ before: Polygons, sliders: Slider[], make: (values: number[]) => Promise<Made>,
  *   tilt?: number, isOpen?: boolean }} job tilt: at first; isOpen: the model has holes before
  */
-export function beforeAfter(figure, { before, dials, make, tilt = -0.9, isOpen = false }) {
+export function beforeAfter(figure, { before, sliders, make, tilt = -0.9, isOpen = false }) {
   const left = Object.assign(new Solid(before), { tilt }), words = document.createElement('output');
   /** @type {Solid | undefined} */
   let right;
@@ -38,7 +38,7 @@ export function beforeAfter(figure, { before, dials, make, tilt = -0.9, isOpen =
     right?.drawLit(stage.view(1, 2, 1.35), false);
   });
   let isBusy = false, isWaiting = false;
-  const values = dials.map(({ value }) => value);
+  const values = sliders.map(({ value }) => value);
   const remake = async () => {
     isWaiting = isBusy;
     if (isBusy) return;
@@ -53,7 +53,7 @@ export function beforeAfter(figure, { before, dials, make, tilt = -0.9, isOpen =
   words.value = '…';
   words.style.display = 'block';
   stage.canvas.after(words);
-  for (const [i, { name, ...range }] of [...dials.entries()].reverse()) {
+  for (const [i, { name, ...range }] of [...sliders.entries()].reverse()) {
     stage.slider(name, range, (value) => {
       values[i] = value;
       void remake();

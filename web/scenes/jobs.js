@@ -70,18 +70,18 @@ export async function cleaned(faces) {
 /** @type {Record<string, (figure: HTMLElement) => void>} */
 export const jobs = {
   lighter: (figure) => beforeAfter(figure, { before: scan(),
-    dials: [{ name: 'Triangles', min: 200, max: 6000, step: 100, value: 1000 }],
+    sliders: [{ name: 'Triangles', min: 200, max: 6000, step: 100, value: 1000 }],
     make: ([faces]) => lighter(faces) }),
-  printing: (figure) => beforeAfter(figure, { before: overlapping(), dials: [], make: printable,
+  printing: (figure) => beforeAfter(figure, { before: overlapping(), sliders: [], make: printable,
     tilt: 2.4, isOpen: true }),
   simulation: (figure) => beforeAfter(figure, { before: plate(),
-    dials: [{ name: 'Edge length', min: 0.06, max: 0.3, step: 0.02, value: 0.12 }],
+    sliders: [{ name: 'Edge length', min: 0.06, max: 0.3, step: 0.02, value: 0.12 }],
     make: ([edgeLength]) => simulated(edgeLength) }),
   quads: (figure) => beforeAfter(figure, { before: bumpyTorus(),
-    dials: [{ name: 'Vertices', min: 200, max: 2000, step: 100, value: 700 },
+    sliders: [{ name: 'Vertices', min: 200, max: 2000, step: 100, value: 700 },
       { name: 'Turns of a guide', min: 0, max: 6, step: 1, value: 0 }],
     make: ([vertices, turns]) => quads(vertices, turns) }),
   generated: (figure) => beforeAfter(figure, { before: generated(),
-    dials: [{ name: 'Triangles', min: 200, max: 4000, step: 100, value: 1000 }],
+    sliders: [{ name: 'Triangles', min: 200, max: 4000, step: 100, value: 1000 }],
     make: ([faces]) => cleaned(faces) }),
 };

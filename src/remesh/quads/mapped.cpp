@@ -40,8 +40,7 @@ constexpr double kTooMany = 4;
 // Of fewer vertices maps take no time, and singular vertices may fall together.
 constexpr double kFew = 100;
 // Where the longest loop crosses more than this share of the edges, so many more maps are looked
-// at, whose scales differ by kMoreStep, for one whose longest loop is clearly shorter. Medians of
-// seven numbers around 2500: of a horse half of the edges or less, not 90 %, of a cow 60 %, not 83.
+// at, whose scales differ by kMoreStep, for one whose longest loop is clearly shorter.
 constexpr double kLongLoop = 0.25, kMoreStep = 0.002, kShorter = 0.9;
 constexpr int kMoreMaps = 24;
 
@@ -161,8 +160,8 @@ std::size_t irregularCount(const QuadMesh& mesh) {
 }
 
 // Looks among scales beside the one that was found for a map whose longest loop is shorter. Where
-// singular vertices miss each other by a side or two, loops wind along whole limbs, and which ones
-// do is by chance.
+// the lines of two singular vertices pass each other a quad or two apart, loops spiral along the
+// surface, and a small change of scale moves them.
 void shortenLoops(Extracted& made, const Domain& domain, const MapMaker& maker, double vertices) {
   const std::size_t irregular = irregularCount(made.quads);
   double shortest = longestLoop(made.quads);
