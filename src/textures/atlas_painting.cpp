@@ -421,6 +421,19 @@ std::vector<Warning> unpaintedMaps(const std::vector<io::Part>& parts) {
   return warnings;
 }
 
+std::vector<Warning> furtherTexcoords(const std::vector<io::Part>& parts) {
+  std::set<std::string> names;
+  for (const io::Part& part : parts)
+    for (const Attribute& attribute : part.mesh.attributes)
+      if (attribute.semantic.starts_with("TEXCOORD_") && attribute.semantic != "TEXCOORD_0")
+        names.insert(attribute.semantic);
+  if (names.empty()) return {};
+  return {{"ATTRIBUTE_NOT_CARRIED",
+           "Baked textures have one set of texture coordinates: the result has no " +
+               legibleList({names.begin(), names.end()}) + ".",
+           names.size()}};
+}
+
 AtlasReport paintAtlases(const PaintingInput& input, io::Model& model, Index classCount,
                          const Progress& progress) {
   AtlasPainting painting(input, model);

@@ -53,4 +53,7 @@ AtlasReport paintAtlases(const PaintingInput& input, io::Model& model, Index cla
 // A warning for each kind of map that cannot be painted.
 std::vector<Warning> unpaintedMaps(const std::vector<io::Part>& parts);
 
+// A warning if parts have texture coordinates beside TEXCOORD_0: baked maps need one set.
+std::vector<Warning> furtherTexcoords(const std::vector<io::Part>& parts);
+
 }  // namespace remesher

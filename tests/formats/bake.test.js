@@ -419,3 +419,13 @@ test('a texture without coordinates, and coordinates far outside, are no hindran
   });
   assert.deepEqual(await validate(await bake(far, { vertices: 150, textureSize: 64 })), []);
 });
+
+test('texture coordinates that baked maps do not use go with a warning', async () => {
+  const file = paintedTorus((maker, { attributes }) => {
+    attributes.TEXCOORD_1 = attributes.TEXCOORD_0;
+  });
+  const { report } = await remeshFile(file.bytes, { name: file.name, vertices: 300,
+    textures: 'bake', textureSize: 64, quality: 'draft' });
+  assert.ok(report.warnings.some(({ code, message }) => code === 'ATTRIBUTE_NOT_CARRIED'
+    && message.includes('TEXCOORD_1')));
+});

@@ -364,6 +364,18 @@ test('an attribute that means nothing without another goes with it, in a sentenc
   }
 });
 
+test('materials are named among what a format has no place for, however many targets', async () => {
+  const maker = texturedSheet((made, primitive) => {
+    primitive.targets = Array.from({ length: 9 },
+      () => ({ POSITION: made.add(positions, 'VEC3') }));
+  });
+  const { report } = await remeshFile(maker.glb().bytes,
+    { name: 'made.glb', output: 'stl', vertices: 100, quality: 'draft' });
+  const { message } = report.warnings.find(({ code }) => code === 'ATTRIBUTE_NOT_CARRIED');
+  assert.match(message, /materials/);
+  assert.match(message, /morph targets/);
+});
+
 test('damaged compressed data is refused in a sentence', async () => {
   for (const extension of ['EXT_meshopt_compression', 'KHR_draco_mesh_compression']) {
     const { bytes, name } = await kinds[extension]();

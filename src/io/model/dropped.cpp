@@ -23,15 +23,21 @@ std::size_t materialsIn(const Model& model) {
   return names.size();
 }
 
+// Morph targets have up to three attributes each: a list of them would hide the others.
+std::string kindOf(const std::string& semantic) {
+  return semantic.starts_with("TARGET_") ? "morph targets" : semantic;
+}
+
 }  // namespace
 
 std::vector<Warning> droppedAttributes(const Model& model, const std::vector<std::string>& kept,
                                        const std::string& format) {
-  std::set<std::string> dropped(model.lost.begin(), model.lost.end());
+  std::set<std::string> dropped;
+  for (const std::string& semantic : model.lost) dropped.insert(kindOf(semantic));
   for (const Part& part : model.parts)
     for (const Attribute& attribute : part.mesh.attributes)
       if (std::find(kept.begin(), kept.end(), attribute.semantic) == kept.end())
-        dropped.insert(attribute.semantic);
+        dropped.insert(kindOf(attribute.semantic));
   const bool keepsMaterials = std::find(kept.begin(), kept.end(), kMaterial) != kept.end();
   if (groupsIn(model) == 1 && materialsIn(model) > 0 && !keepsMaterials) dropped.insert(kMaterial);
   if (dropped.empty()) return {};
