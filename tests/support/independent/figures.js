@@ -84,7 +84,8 @@ function crossingsAcross(parts) {
 /**
  * The figures of parts that were read: `vertices` … under the report's names, `crossings`
  * (triangles that meet others of their mesh), `crossingsAcross` (of other meshes and nodes), and
- * the `surface` of all parts in the world. OBJ also has the `materials` that its faces name.
+ * the number of `polygons`, whose angles depend on how they are cut, and the `surface` of all parts
+ * in the world. OBJ also has the `materials` that its faces name.
  * `holds`: the attributes by glTF's names, `materials` (their names), `looks` (what those are).
  * @param {{ parts: any[], materials?: Set<string>, holds?: Set<string> }} file
  */
@@ -93,6 +94,8 @@ export function figuresOf({ parts, materials, holds = new Set() }) {
   const sums = Object.fromEntries(counts.map((name) =>
     [name, meshes.reduce((sum, mesh) => sum + mesh[name], 0)]));
   const surface = surfaceOf(parts);
-  return { ...sums, ...angles(meshes, sums.triangles), crossingsAcross: crossingsAcross(parts),
-    shown: new Set(parts.map(({ node }) => node)).size, surface, materials, holds };
+  const polygons = parts.reduce((sum, part) => sum + (part.polygons ?? 0), 0);
+  const shown = new Set(parts.map(({ node }) => node)).size;
+  return { ...sums, ...angles(meshes, sums.triangles), polygons,
+    crossingsAcross: crossingsAcross(parts), shown, surface, materials, holds };
 }

@@ -3,6 +3,7 @@
 // readers and figures cannot hide. Names decide about the format, for the files are our own.
 import { gunzipSync } from 'node:zlib';
 
+import { cutByEars } from './ears.js';
 import { readPly, readStl } from './read_binary.js';
 import { readGltf } from './read_gltf.js';
 import { readObj, readOff } from './read_text.js';
@@ -24,7 +25,7 @@ function fromShorter(positions, face) {
 }
 
 /**
- * A part with its faces as triangles too: polygons become fans.
+ * A part with its faces as triangles too, and the numbers of its faces with four and more corners.
  * @param {FacePart} part @param {boolean} [isShorter] whether quads are cut along shorter diagonals
  */
 export function triangulated(part, isShorter = false) {
@@ -32,10 +33,12 @@ export function triangulated(part, isShorter = false) {
   const faces = isShorter ? part.faces.map((face) => fromShorter(part.positions, face))
     : part.faces;
   for (const face of faces) {
-    for (let k = 2; k < face.length; k += 1) triangles.push(face[0], face[k - 1], face[k]);
+    if (face.length > 4) triangles.push(...cutByEars(part.positions, face));
+    else for (let k = 2; k < face.length; k += 1) triangles.push(face[0], face[k - 1], face[k]);
   }
   return { ...part, triangles: Uint32Array.from(triangles),
-    quads: part.faces.filter(({ length }) => length === 4).length };
+    quads: part.faces.filter(({ length }) => length === 4).length,
+    polygons: part.faces.filter(({ length }) => length > 4).length };
 }
 
 /**

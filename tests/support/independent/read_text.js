@@ -33,7 +33,7 @@ export function readObj(text) {
     }
     if (key === 'usemtl') material = words.join(' ');
     if (key !== 'f') continue;
-    if (material !== undefined) materials.add(material);
+    if (material) materials.add(material);
     if (/^\d+\/\d/.test(words[0])) holds.add('TEXCOORD_0');
     if (/\/\d*\/\d/.test(words[0])) holds.add('NORMAL');
     faces.push(words.map((word) => objIndex(word, positions.length / 3)));

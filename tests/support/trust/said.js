@@ -98,7 +98,7 @@ export function lawsOfDistance(before, written, { fidelity }) {
 export function lawsOfWriting(written, report, { name, before }) {
   const said = report.output;
   const isCrossed = !report.repair && before.crossings + before.crossingsAcross > 0;
-  return [...lawsOfCounts(written, said), ...lawsOfAngles(written, said),
+  return [...lawsOfCounts(written, said), ...(written.polygons ? [] : lawsOfAngles(written, said)),
     ...lawsOfQuads(written, said, name), ...lawsOfMaterials(written, before),
     ...lawsOfLosses(written, before, report),
     ...(isCrossed ? [] : lawsOfCrossings(written, report)),
