@@ -46,21 +46,21 @@ export async function compileCodec(path) {
   return WebAssembly.compile(await readFile(createRequire(import.meta.url).resolve(path)));
 }
 
-/**
- * Fills an array with the bytes of an open file from a place on; false if it cannot be read so far.
- * @param {number} fd @param {number} at @param {Uint8Array} into
- */
-export function readBlock(fd, at, into) {
-  try {
-    for (let filled = 0; filled < into.length;) {
-      const count = readSync(fd, into, filled, into.length - filled, at + filled);
-      if (count === 0) return false;
-      filled += count;
+/** @type {import('./base/open_file.js').BlocksOf} */
+export function blocksOf({ fd }) {
+  if (fd === undefined) return undefined;
+  return (at, into) => {
+    try {
+      for (let filled = 0; filled < into.length;) {
+        const count = readSync(fd, into, filled, into.length - filled, at + filled);
+        if (count === 0) return false;
+        filled += count;
+      }
+      return true;
+    } catch {
+      return false;
     }
-    return true;
-  } catch {
-    return false;
-  }
+  };
 }
 
 /** @typedef {import('./api/client.js').WorkerPort} WorkerPort */
@@ -99,4 +99,4 @@ export const cores = availableParallelism;
 
 /** Runs the jobs of all the package's functions, whichever entry they come from. */
 export const client = new Client({ compileArrays, compileUrl, spawn, cores, compileCodec,
-  readBlock });
+  blocksOf });

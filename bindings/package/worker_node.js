@@ -3,9 +3,9 @@
 
 import { parentPort } from 'node:worker_threads';
 
-import { compileCodec, readBlock, spawnForImages } from './platform_node.js';
+import { compileCodec, blocksOf, spawnForImages } from './platform_node.js';
 import { serve } from './worker/serve.js';
 
 parentPort?.on('message', serve(
   (message, transfer) => parentPort?.postMessage(message, transfer),
-  { compile: compileCodec, readBlock, spawn: spawnForImages }));
+  { compile: compileCodec, blocksOf, spawn: spawnForImages }));

@@ -42,10 +42,14 @@ for (const [name, bytes] of Object.entries(files)) writeFileSync(join(top, name)
 const options = { vertices: 400 };
 
 for (const [name, bytes] of Object.entries(files)) {
-  test(`${name} gives the same bytes in blocks, whole, by a pipe, in a worker`, async () => {
+  test(`${name} gives the same bytes in blocks, whole, as a Blob, by a pipe`, async () => {
     assert.ok(bytes.length > 2 ** 20);
-    const wanted = Buffer.from((await remeshFile(bytes, { name, output: 'out.ply', ...options }))
-      .bytes);
+    const request = { name, output: 'out.ply', ...options };
+    const wanted = Buffer.from((await remeshFile(bytes, request)).bytes);
+    for (const worker of [true, false]) {
+      const { bytes: ofBlob } = await remeshFile(new Blob([bytes]), { ...request, worker });
+      assert.deepEqual(Buffer.from(ofBlob), wanted, 'a Blob');
+    }
     const run = (/** @type {string[]} */ ...words) =>
       execFileSync(process.execPath, [cli, ...words], { cwd: top, stdio: 'pipe' });
     run(name, '-o', 'blocks.ply', '--vertices', '400', '--force');

@@ -56,7 +56,7 @@ export class Guiding {
   /** Identifies the model whose strokes are remembered. */
   get #key() {
     const { model } = this.#page.session;
-    return model && `${model.name} ${model.bytes.length}`;
+    return model && `${model.name} ${model.size}`;
   }
 
   get #isForQuads() {

@@ -53,7 +53,7 @@ export class Painting {
   /** Identifies the model whose dabs are remembered. */
   get #key() {
     const { model } = this.#page.session;
-    return model && `${model.name} ${model.bytes.length}`;
+    return model && `${model.name} ${model.size}`;
   }
 
   /** A new original is on the stage: dabs painted on it before are restored. */

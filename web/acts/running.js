@@ -70,7 +70,7 @@ function showVerdict(page) {
   const { triangles, quads } = shown.report.output;
   const judged = { report: shown.report, values: shown.values, scale: scaleIn(page),
     diagonal: surveying.diagonal, largest: largestOf(page, shown),
-    edges: surveying.distances?.edges, format, size, original: model.bytes.length };
+    edges: surveying.distances?.edges, format, size, original: model.size };
   byId('verdict', HTMLElement).replaceChildren(verdictView(judged, {
     onLargest: () => surveying.visitLargest(),
     onPlace: (place) => surveying.visitPlace(place),

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Finds the models among several files, and the files that a model refers to.
 import { inWords, isGltf, isObj, readFormats, withoutGz } from 'remesher/formats';
-import { gunzip } from 'remesher/gunzip';
+import { gunzip, isGzip } from 'remesher/gunzip';
 import { t } from '../base/i18n.js';
 import { baseName, extensionOf, PageError } from './files.js';
 import { openGlb } from './glb.js';
 
 /** @typedef {import('./files.js').NamedBytes} NamedBytes */
 /** @typedef {import('./files.js').PathedFile} PathedFile */
-/** @typedef {NamedBytes & { resources: NamedBytes[] }} Model */
+/** `content`: what the package reads; `bytes`: the first of it, all if other files are named in it;
+ * `size`: of the file, in bytes.
+ * @typedef {NamedBytes & { content: Blob | Uint8Array, size: number, resources: NamedBytes[] }}
+ *   Model */
 
 /** @type {readonly string[]} */
 const known = readFormats;
@@ -17,6 +20,24 @@ const known = readFormats;
  * @param {PathedFile} item @returns {Promise<NamedBytes>} */
 async function read({ path, file }) {
   return gunzip({ name: path, bytes: new Uint8Array(await file.arrayBuffer()) });
+}
+
+/** Bytes that tell the kind of a file. */
+const looked = 65536;
+
+/** Formats whose files name no others: only the package reads them, block by block. */
+const alone = ['ply', 'stl', 'off'];
+
+/** Opens a model; scans can be too large to be read here.
+ * @param {PathedFile} item @returns {Promise<Omit<Model, 'resources'>>} */
+async function openModel(item) {
+  const { path, file } = item;
+  const begin = new Uint8Array(await file.slice(0, looked).arrayBuffer());
+  if (alone.includes(extensionOf(path)) && !isGltf(begin) && !isObj(begin) && !isGzip(begin)) {
+    return { name: path, bytes: begin, content: file, size: file.size };
+  }
+  const { name, bytes } = await read(item);
+  return { name, bytes, content: bytes, size: bytes.length };
 }
 
 /** The files named inside a model: buffers and images of a glTF, the libraries of an OBJ. What the
@@ -111,9 +132,7 @@ export function modelsAmong(items) {
 /** A model with the files that it refers to.
  * @param {PathedFile} chosen @param {PathedFile[]} items @returns {Promise<Model>} */
 export async function modelFrom(chosen, items) {
-  const model = await read(chosen);
+  const model = await openModel(chosen);
   const others = items.filter((item) => item !== chosen);
-  return {
-    name: baseName(model.name), bytes: model.bytes, resources: await resourcesOf(model, others),
-  };
+  return { ...model, name: baseName(model.name), resources: await resourcesOf(model, others) };
 }

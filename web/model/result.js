@@ -53,7 +53,8 @@ function formatOfRun({ name, bytes }, options) {
   return ownFormats.includes(own) && !isRounded ? own : 'glb';
 }
 
-/** The part of every call's options that describes the file. @param {Model} model */
+/** The part of every call's options that describes the file.
+ * @param {Pick<Model, 'name' | 'resources'>} model */
 export const describe = ({ name, resources }) => ({
   name, resources: Object.fromEntries(resources.map(({ name: key, bytes }) => [key, bytes])),
 });
@@ -160,8 +161,8 @@ export function worked(model, values, options) {
   const { output, signal, onProgress } = options;
   const about = { ...describe(model), output, signal, onProgress };
   return isRepairOnly(values)
-    ? repairFile(model.bytes, { ...ofRepair(options), ...about })
-    : remeshFile(model.bytes, { ...options, ...about });
+    ? repairFile(model.content, { ...ofRepair(options), ...about })
+    : remeshFile(model.content, { ...options, ...about });
 }
 
 /** @param {string} name */

@@ -58,7 +58,7 @@ export class Session {
    * @returns a report, and a signal that is aborted when the opening is cancelled or overtaken */
   async open(model, source) {
     const signal = this.#begin();
-    const report = await inspect(model.bytes, { ...describe(model), signal });
+    const report = await inspect(model.content, { ...describe(model), signal });
     Object.assign(this, { model, source, inspection: report, results: [], shown: null,
       baseline: null, isUnsaved: false });
     this.#runs = 0;
@@ -71,7 +71,7 @@ export class Session {
   async faults() {
     const model = this.#opened();
     const signal = this.#stay.signal;
-    const { faults } = await inspect(model.bytes, { ...describe(model), faults: true, signal });
+    const { faults } = await inspect(model.content, { ...describe(model), faults: true, signal });
     return faults ?? null;
   }
 
@@ -102,7 +102,7 @@ export class Session {
   /** The model in another format. @param {string} output */
   converted(output) {
     const model = this.#opened();
-    return convertFile(model.bytes, { ...describe(model), output, signal: this.#stay.signal });
+    return convertFile(model.content, { ...describe(model), output, signal: this.#stay.signal });
   }
 
   #opened() {

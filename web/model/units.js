@@ -22,10 +22,10 @@ const kept = new Setting('units', (text) => {
     ? entries : undefined;
 });
 
-/** @typedef {{ name: string, bytes: Uint8Array }} Named */
+/** @typedef {{ name: string, size: number }} Named */
 
 /** @param {Named} model */
-const keyOf = ({ name, bytes }) => `${name.slice(0, 200)} ${bytes.length}`;
+const keyOf = ({ name, size }) => `${name.slice(0, 200)} ${size}`;
 
 /** The unit that the visitor has said of a model.
  * @param {Named} model @returns {Unit | undefined} */

@@ -3,6 +3,7 @@
 // the copies can be handed over to a worker.
 
 import { RemeshError } from '../base/errors.js';
+import { bytesLooked, isReadInBlocks } from '../base/contents.js';
 import { withoutGz } from '../base/formats.js';
 import { legible } from '../base/legible.js';
 import { OpenFile } from '../base/open_file.js';
@@ -204,17 +205,30 @@ export function isBytes(value) {
     || (typeof Blob !== 'undefined' && value instanceof Blob);
 }
 
-/** @param {unknown} value @param {string} label @returns {Promise<Uint8Array<ArrayBuffer>>} */
-async function copyBytes(value, label) {
+/** @param {Blob} blob */
+const allOf = async (blob) => new OpenFile(new Uint8Array(await blob.arrayBuffer()));
+
+/** The first bytes of a Blob that the core reads in blocks, and all bytes of another.
+ * @param {Blob} blob */
+async function beginOf(blob) {
+  const begin = new Uint8Array(await blob.slice(0, bytesLooked).arrayBuffer());
+  if (begin.length === blob.size) return new OpenFile(begin);
+  return isReadInBlocks(begin, blob.size) ? new OpenFile(begin, { blob, size: blob.size })
+    : allOf(blob);
+}
+
+/** @param {unknown} value @param {string} label @param {(blob: Blob) => Promise<OpenFile>} open
+ * @returns {Promise<OpenFile>} */
+async function openBytes(value, label, open) {
   if (!isBytes(value)) {
     throw new RemeshError('PARSE_ERROR',
       `${label} must be a Uint8Array, an ArrayBuffer or a Blob.`);
   }
   try {
-    if (value instanceof OpenFile) return value.bytes;
-    if (value instanceof Uint8Array) return new Uint8Array(value);
-    const buffer = value instanceof ArrayBuffer ? value.slice(0) : await value.arrayBuffer();
-    return new Uint8Array(buffer);
+    if (value instanceof OpenFile) return value;
+    if (value instanceof Uint8Array) return new OpenFile(new Uint8Array(value));
+    if (value instanceof ArrayBuffer) return new OpenFile(new Uint8Array(value.slice(0)));
+    return await open(value);
   } catch (cause) {
     throw new RemeshError('PARSE_ERROR', `${label} cannot be read: its memory or its file is gone.`,
       'Was its buffer transferred elsewhere?', { cause });
@@ -237,14 +251,15 @@ export async function fileRequest(bytes, { name, output, resources = {} }) {
   const files = [];
   for (const [resource, content] of Object.entries(resources)) {
     const label = `resources['${legible(resource)}']`;
-    files.push({ name: resource, bytes: await copyBytes(content, label) });
+    files.push({ name: resource, bytes: (await openBytes(content, label, allOf)).bytes });
   }
+  const { bytes: begin, handle } = await openBytes(bytes, 'The file', beginOf);
   return {
     name: givenName || 'The file',
-    bytes: await copyBytes(bytes, 'The file'),
+    bytes: begin,
     resources: files,
     output: outputName(givenName, output),
-    ...(bytes instanceof OpenFile && bytes.handle ? { handle: bytes.handle } : {}),
+    ...(handle ? { handle } : {}),
   };
 }
 

@@ -88,9 +88,11 @@
  */
 
 /**
- * A file; `bytes` are the first ones if it is read in blocks by its handle.
+ * A file; `bytes` are the first ones if it is read in blocks: by its handle, in the worker by
+ * `blocks`.
  * @typedef {NamedBytes & { resources: NamedBytes[], output: string, pictures?: Picture[],
- *   handle?: import('./open_file.js').FileHandle }} FileRequest
+ *   handle?: import('./open_file.js').FileHandle,
+ *   blocks?: { size: number, read: import('./open_file.js').ReadBlock } }} FileRequest
  */
 
 /**

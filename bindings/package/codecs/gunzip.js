@@ -13,7 +13,7 @@ import { legible } from '../base/legible.js';
 export const largestInflated = 2 ** 30;
 
 /** RFC 1952: two magic bytes, the only method, no reserved flags. @param {Uint8Array} bytes */
-function isGzip(bytes) {
+export function isGzip(bytes) {
   return bytes.length >= 4 && bytes[0] === 0x1f && bytes[1] === 0x8b && bytes[2] === 8
     && (bytes[3] & 0xe0) === 0;
 }

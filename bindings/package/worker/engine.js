@@ -5,6 +5,7 @@
 
 import { isGltf } from '../base/contents.js';
 import { RemeshError } from '../base/errors.js';
+import { legible } from '../base/legible.js';
 import { inModelUnits, unitOf } from '../base/lengths.js';
 import { withoutPresetBaking } from '../base/presets.js';
 
@@ -82,32 +83,42 @@ function meshLike(mesh, model) {
   };
 }
 
-/**
- * Fills an array with the bytes of an open file from a place on; false if they cannot be read.
- * @typedef {(fd: number, at: number, into: Uint8Array) => boolean} ReadBlock
- */
+/** @typedef {import('../base/open_file.js').BlocksOf} BlocksOf */
 
 /**
  * What an engine has of its platform.
- * @typedef {import('../textures/image_codecs.js').CodecSource & { readBlock?: ReadBlock }}
+ * @typedef {import('../textures/image_codecs.js').CodecSource & { blocksOf?: BlocksOf }}
  *   EnginePlatform
  */
 
-/** The file as the instance takes it: with the way to its blocks, if it is read in blocks.
- * @param {FileRequest} file @param {ReadBlock | undefined} readBlock */
-function withBlocks(file, readBlock) {
-  if (!file.handle || !readBlock) return file;
-  const { fd, size } = file.handle;
-  return { ...file, blocks: { size,
-    read: (/** @type {number} */ at, /** @type {Uint8Array} */ into) => readBlock(fd, at, into) } };
+/** All bytes of a Blob. @param {string} name @param {Blob} blob */
+async function allOf(name, blob) {
+  try {
+    return new Uint8Array(await blob.arrayBuffer());
+  } catch (cause) {
+    throw new RemeshError('INPUT_UNREADABLE', `${legible(name)} cannot be read.`,
+      'Is the file still there, unchanged?', { cause });
+  }
 }
 
-/** @param {Job} job @param {ReadBlock | undefined} readBlock @returns {Job} */
-function withBlocksOf(job, readBlock) {
-  if ('file' in job) return { ...job, file: withBlocks(job.file, readBlock) };
+/** The file as the instance takes it: with the way to its blocks, if it is read in blocks; with all
+ * bytes of a Blob that this thread cannot read in blocks.
+ * @param {FileRequest} file @param {BlocksOf | undefined} blocksOf
+ * @returns {Promise<FileRequest>} */
+async function reachable(file, blocksOf) {
+  const { handle } = file;
+  if (!handle) return file;
+  const read = blocksOf?.(handle);
+  if (read) return { ...file, blocks: { size: handle.size, read } };
+  return { ...file, bytes: await allOf(file.name, /** @type {Blob} */ (handle.blob)) };
+}
+
+/** @param {Job} job @param {BlocksOf | undefined} blocksOf @returns {Promise<Job>} */
+async function withBlocks(job, blocksOf) {
+  if ('file' in job) return { ...job, file: await reachable(job.file, blocksOf) };
   if (!('files' in job)) return job;
   const [a, b] = job.files;
-  return { ...job, files: [withBlocks(a, readBlock), withBlocks(b, readBlock)] };
+  return { ...job, files: [await reachable(a, blocksOf), await reachable(b, blocksOf)] };
 }
 
 /**
@@ -362,7 +373,7 @@ export class Engine {
     const instance = await this.#start();
     const ask = onProgress && ((/** @type {string} */ phase, /** @type {number} */ fraction) =>
       onProgress({ phase, fraction }) !== false);
-    const outcome = this.#call(instance, withBlocksOf(job, this.#codecs.readBlock), ask);
+    const outcome = this.#call(instance, await withBlocks(job, this.#codecs.blocksOf), ask);
     if (instance.HEAPU8.length > keptMemory) this.#instance = undefined;
     if (outcome.error) {
       throw new RemeshError(outcome.error.code, outcome.error.message, outcome.error.hint);

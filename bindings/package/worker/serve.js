@@ -45,9 +45,26 @@ export function serve(post, codecs) {
   };
 }
 
+const scope = /** @type {any} */ (globalThis);
+
+/** A Blob's blocks: workers of browsers can wait for them.
+ * @type {import('../base/open_file.js').BlocksOf} */
+function blocksOf({ blob }) {
+  if (!blob || !scope.FileReaderSync) return undefined;
+  const reader = new scope.FileReaderSync();
+  return (at, into) => {
+    try {
+      into.set(new Uint8Array(reader.readAsArrayBuffer(blob.slice(at, at + into.length))));
+      return at + into.length <= blob.size;
+    } catch {
+      return false;
+    }
+  };
+}
+
 /** In browsers. @param {import('../textures/image_codecs.js').CodecSource} [codecs] */
 export function serveBrowser(codecs) {
-  const scope = /** @type {any} */ (globalThis);
-  const receive = serve((message, transfer) => scope.postMessage(message, transfer), codecs);
+  const receive = serve((message, transfer) => scope.postMessage(message, transfer),
+    { ...codecs, blocksOf });
   scope.addEventListener('message', (/** @type {MessageEvent} */ event) => receive(event.data));
 }
