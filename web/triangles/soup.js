@@ -34,10 +34,14 @@ function move(from, to, [a, b, c, , d, e, f, , g, h, i, , x, y, z]) {
   }
 }
 
-/** @param {import('three').Mesh[]} meshes @returns {Soup} */
-export function soupOf(meshes) {
-  const counts = meshes.map(({ geometry }) =>
-    ({ vertices: geometry.attributes.position.count, corners: cornerCount(geometry) }));
+/** @param {import('three').Mesh[]} meshes
+ * @param {{ isDrawn?: boolean }} [how] isDrawn: only the triangles that are drawn, no polygons
+ * @returns {Soup} */
+export function soupOf(meshes, { isDrawn = false } = {}) {
+  const cornersOf = (/** @type {import('three').BufferGeometry} */ geometry) =>
+    (isDrawn ? geometry.index?.array ?? null : allCorners(geometry));
+  const counts = meshes.map(({ geometry }) => ({ vertices: geometry.attributes.position.count,
+    corners: cornersOf(geometry)?.length ?? cornerCount(geometry) }));
   const sum = (/** @type {'vertices' | 'corners'} */ key) =>
     counts.reduce((total, count) => total + count[key], 0);
   const positions = new Float32Array(3 * sum('vertices'));
@@ -45,12 +49,13 @@ export function soupOf(meshes) {
   let vertex = 0, corner = 0;
   for (const [i, { geometry, matrixWorld }] of meshes.entries()) {
     const { vertices, corners } = counts[i];
-    const own = allCorners(geometry);
+    const own = cornersOf(geometry);
     for (let k = 0; k < corners; ++k) indices[corner + k] = vertex + (own ? own[k] : k);
     move(positionsOf(geometry), positions.subarray(3 * vertex, 3 * (vertex + vertices)),
       matrixWorld.elements);
     vertex += vertices;
     corner += corners;
   }
-  return { positions, indices, polygons: allPolygons(meshes.map(({ geometry }) => geometry)) };
+  const polygons = isDrawn ? null : allPolygons(meshes.map(({ geometry }) => geometry));
+  return { positions, indices, polygons };
 }

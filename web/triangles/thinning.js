@@ -18,17 +18,36 @@ export const allCorners = ({ index, userData }) => userData.allCorners ?? index?
 export const cornerCount = (geometry) =>
   allCorners(geometry)?.length ?? geometry.attributes.position.count;
 
-/** @param {BufferGeometry} geometry @returns {Uint32Array} */
-const cornersOf = (geometry) => (geometry.index ? Uint32Array.from(geometry.index.array)
+/** A copy. @param {BufferGeometry} geometry @returns {Uint32Array} */
+const cornersOf = (geometry) => (geometry.index ? new Uint32Array(geometry.index.array)
   : Uint32Array.from({ length: cornerCount(geometry) }, (_, i) => i));
 
+/** @typedef {import('./fewer_triangles.js').Surface} Surface */
+/** @typedef {import('./fewer_triangles.js').Fewer} Fewer */
+
+/** The page goes on meanwhile. @param {Surface} surface @returns {Promise<Fewer>} */
+function fewerInWorker(surface) {
+  const worker = new Worker(new URL('./thinning_worker.js', import.meta.url), { type: 'module' });
+  return new Promise((resolve, reject) => {
+    worker.addEventListener('message', ({ data: { fewer, error } }) => {
+      worker.terminate();
+      if (error) reject(new Error(error));
+      else resolve(fewer);
+    });
+    worker.addEventListener('error', ({ message }) => reject(new Error(message)));
+    worker.postMessage(surface, [surface.corners.buffer]);
+  });
+}
+
 /** @param {BufferGeometry} geometry @param {number} share of its triangles
- * @param {typeof import('meshoptimizer/simplifier').MeshoptSimplifier} simplifier */
-function thinOne(geometry, share, simplifier) {
-  const corners = cornersOf(geometry);
-  const wanted = 3 * Math.ceil((corners.length / 3) * share);
-  if (!geometry.getAttribute('normal')) geometry.computeVertexNormals();
-  const [drawn] = simplifier.simplifySloppy(corners, positionsOf(geometry), 3, null, wanted, 1);
+ * @param {(surface: Surface) => Promise<Fewer>} fewerOf */
+async function thinOne(geometry, share, fewerOf) {
+  const { corners, drawn, normals } = await fewerOf({
+    positions: positionsOf(geometry), corners: cornersOf(geometry),
+    wanted: 3 * Math.ceil((cornerCount(geometry) / 3) * share),
+    needsNormals: !geometry.getAttribute('normal'),
+  });
+  if (normals) geometry.setAttribute('normal', new BufferAttribute(normals, 3));
   geometry.userData.allCorners = corners;
   geometry.setIndex(new BufferAttribute(drawn, 1));
 }
@@ -36,16 +55,15 @@ function thinOne(geometry, share, simplifier) {
 /**
  * @param {BufferGeometry[]} geometries get a new index if there are too many triangles; a geometry
  *   shown in several places is listed as often
- * @param {number} [most] drawn triangles in all
+ * @param {{ most?: number, fewerOf?: (surface: Surface) => Promise<Fewer> }} [how] most: drawn
+ *   triangles in all
  * @returns {Promise<Thinned | null>} null if all are drawn
  */
-export async function thin(geometries, most = mostShown) {
+export async function thin(geometries, { most = mostShown, fewerOf = fewerInWorker } = {}) {
   const sum = (/** @type {(geometry: BufferGeometry) => number} */ count) =>
     geometries.reduce((total, geometry) => total + count(geometry) / 3, 0);
   const all = sum(cornerCount);
   if (all <= most) return null;
-  const { MeshoptSimplifier } = await import('meshoptimizer/simplifier');
-  await MeshoptSimplifier.ready;
-  for (const geometry of new Set(geometries)) thinOne(geometry, most / all, MeshoptSimplifier);
+  for (const geometry of new Set(geometries)) await thinOne(geometry, most / all, fewerOf);
   return { shown: sum(({ index }) => index?.count ?? 0), all };
 }
