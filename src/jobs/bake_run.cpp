@@ -44,17 +44,12 @@ io::Part shownAsOne(io::Model& model) {
   return one;
 }
 
-// The first place where a part is shown.
-Transform placeIn(const io::Part& part) {
-  return part.instances.empty() ? Transform::Identity() : part.instances.front();
-}
-
 // The shown surface in the space of each part; parts at the same place share it.
 BakeOriginals originalsFor(const std::vector<io::Part>& parts, const io::Part& shown) {
   BakeOriginals from{{}, {}, {}, Unshaded::Flat};
   std::vector<Transform> places;
   for (const io::Part& part : parts) {
-    const Transform place = placeIn(part);
+    const Transform place = firstPlace(part);
     const auto isIt = [&](const Transform& known) { return known.matrix() == place.matrix(); };
     const auto found = std::find_if(places.begin(), places.end(), isIt);
     from.originalOf.push_back(Index(found - places.begin()));

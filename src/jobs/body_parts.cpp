@@ -10,6 +10,7 @@
 #include "geometry/triangle_tree.h"
 #include "io/model/appending.h"
 #include "jobs/part_run.h"
+#include "jobs/parts/part_places.h"
 #include "mesh/attribute_mix.h"
 
 namespace remesher {
@@ -84,8 +85,8 @@ class BodyMaking {
   BodyMaking(const io::Part& part, const std::vector<Vec3>& positions)
       : given_(withoutTextures(part.mesh)),
         positions_(positions),
-        fromWorld_(transformOf(part).inverse()),
-        isWhereItIs_(transformOf(part).isApprox(Transform::Identity(), 0.0)) {
+        fromWorld_(firstPlace(part).inverse()),
+        isWhereItIs_(firstPlace(part).isApprox(Transform::Identity(), 0.0)) {
     if (!given_.attributes.empty()) surface_ = std::make_unique<GivenSurface>(given_);
     for (const Attribute& attribute : given_.attributes)
       made_.attributes.push_back({attribute.semantic, attribute.itemSize, {}});
@@ -134,10 +135,6 @@ class BodyMaking {
 };
 
 }  // namespace
-
-Transform transformOf(const io::Part& part) {
-  return part.instances.empty() ? Transform::Identity() : part.instances.front();
-}
 
 TriangleMesh bodyIn(const io::Part& part, const std::vector<OwnTriangle>& triangles,
                     const std::vector<Vec3>& positions) {

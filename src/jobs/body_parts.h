@@ -11,9 +11,6 @@
 
 namespace remesher {
 
-// From the part's space to the world; a part without a place is where it is.
-Transform transformOf(const io::Part& part);
-
 // A triangle of a body, by the vertices of the complex.
 struct OwnTriangle {
   std::array<Index, 3> corners;

@@ -115,8 +115,10 @@ RemeshOutcome remeshAsShown(PartInput part, const PartTarget& target, const Prog
 
 UncrossedOutcome uncrossedAsShown(const ShownMesh& part, const PartTarget& target,
                                   RemeshOutcome made, const Progress& progress) {
-  std::vector<Index> crossings = crossingsOf(part.mesh, made);
   RemeshOptions options = optionsFor(target);
+  // After repair they are looked for in the rounded mesh.
+  if (options.repair != Repair::Off) return {std::move(made), {}};
+  std::vector<Index> crossings = crossingsOf(part.mesh, made);
   RemeshOutcome other;
   if (leavesNumberOpen(options)) options.vertices = Index(made.vertices);
   const auto isReplacedBy = [&](Run run, Prefer prefer) {
@@ -128,8 +130,8 @@ UncrossedOutcome uncrossedAsShown(const ShownMesh& part, const PartTarget& targe
   const Prefer asked = options.prefer;
   const Rule& rule = choose(Decision::Crossings, [&](Fact fact) {
     if (fact == Fact::CrossingsMade)
-      return !crossings.empty() && options.repair == Repair::Off && !options.quads &&
-             !asksForFewest(options) && selfIntersections(part.mesh).empty();
+      return !crossings.empty() && !options.quads && !asksForFewest(options) &&
+             selfIntersections(part.mesh).empty();
     if (fact == Fact::ShapeAsked) return asked == Prefer::Shape;
     if (fact == Fact::IsotropicAsked) return asked == Prefer::Even;
     if (fact == Fact::SimplifiedTaken) return made.prefer == Prefer::Shape;

@@ -228,9 +228,7 @@ FidelityReport ThinnedParts::measured(const SceneRun& run) const {
     largest = std::max(largest, last.squaredDistance);
     sum += last.squaredDistance;
   }
-  const auto& instances = run.parts.front().instances;
-  const double growth = instances.empty() ? 1 : growthOf(instances.front());
-  const double percent = 100 * growth / input_.diagonal;
+  const double percent = 100 * growthOf(firstPlace(run.parts.front())) / input_.diagonal;
   fidelity.hausdorff = std::max(fidelity.hausdorff, percent * std::sqrt(largest));
   fidelity.rms = std::max(fidelity.rms, percent * std::sqrt(sum / double(samples_.size())));
   return fidelity;

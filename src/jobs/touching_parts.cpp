@@ -40,7 +40,7 @@ constexpr double kNearlyTouching = 5e-3;
 // neighbours.
 bool mayTouch(const io::Part& part) {
   constexpr double kSingular = 1e-9;
-  const Eigen::Matrix3d m = transformOf(part).linear();
+  const Eigen::Matrix3d m = firstPlace(part).linear();
   const double size = m.cwiseAbs().maxCoeff();
   return part.finer.empty() && part.instances.size() <= 1 && !part.mesh.indices.empty() &&
          size > 0 && std::isfinite(size) && std::abs((m / size).determinant()) > kSingular;
@@ -50,7 +50,7 @@ double areaOf(const io::Part& part) {
   double sum = 0;
   for (std::size_t i = 0; i + 2 < part.mesh.indices.size(); i += 3) {
     const auto at = [&](std::size_t k) {
-      return transformOf(part) * part.mesh.positions[part.mesh.indices[i + k]];
+      return firstPlace(part) * part.mesh.positions[part.mesh.indices[i + k]];
     };
     sum += area(at(0), at(1), at(2));
   }
@@ -105,6 +105,7 @@ std::string lengthInWords(double length) {
 
 TouchingParts::TouchingParts(const std::vector<io::Part>& given, const RemeshOptions& options)
     : given_(given) {
+  if (!options.conform) return;
   withinMemory([&] { find(options); });
 }
 
@@ -140,7 +141,7 @@ void TouchingParts::gather() {
     if (!mayTouch(part)) continue;
     TriangleMesh placed = part.mesh;
     placed.attributes.clear();
-    io::transformMesh(placed, transformOf(part));
+    io::transformMesh(placed, firstPlace(part));
     appendGroups(all_.groups, placed, firstGroups_.back());
     appendMesh(all_, placed);
     all_.isSingle = all_.isSingle && part.mesh.isSingle;

@@ -8,6 +8,7 @@
 
 #include "base/legible.h"
 #include "jobs/parts/part_lengths.h"
+#include "jobs/parts/part_places.h"
 #include "mesh/joining.h"
 
 namespace remesher {
@@ -33,7 +34,7 @@ std::vector<io::Part> joinedPlaces(std::vector<io::Part> parts, const RemeshOpti
   for (io::Part& part : parts) {
     requireValid(part.mesh);
     joinNoise(part.mesh);
-    const double growth = part.instances.empty() ? 1 : growthOf(part.instances.front());
+    const double growth = growthOf(firstPlace(part));
     if (options.lengths.weld && growth > 0)
       joinNear(part.mesh, *options.lengths.weld / growth);
     else if (options.weld)

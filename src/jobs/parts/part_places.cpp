@@ -68,6 +68,10 @@ Coordinates coordinatesOf(const Vec3& p) { return {p.x() + 0.0, p.y() + 0.0, p.z
 
 }  // namespace
 
+Transform firstPlace(const io::Part& part) {
+  return part.instances.empty() ? Transform::Identity() : part.instances.front();
+}
+
 std::vector<PartPlace> placesOf(const std::vector<io::Part>& parts) {
   std::vector<PartPlace> places;
   std::vector<double> own;

@@ -15,6 +15,10 @@ struct PartPlace {
   double area = 0;  // the mean over the places where the part is shown
 };
 
+// From the part's space to the world, at the first place where the file shows it; a part without a
+// place is where it is.
+Transform firstPlace(const io::Part& part);
+
 // The parts must be valid.
 std::vector<PartPlace> placesOf(const std::vector<io::Part>& parts);
 
