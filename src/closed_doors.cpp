@@ -7,13 +7,13 @@
 #include "jobs/checks/quad_checks.h"
 #include "jobs/checks/wanted_check.h"
 #include "jobs/checks/whole_steps.h"
-#include "jobs/conform_run.h"
 #include "jobs/dropping.h"
 #include "jobs/part_repair.h"
 #include "jobs/parts/part_guides.h"
 #include "jobs/pixel_levels.h"
 #include "jobs/region_run.h"
 #include "jobs/thinned_parts.h"
+#include "jobs/touching_parts.h"
 #include "remesh/quads/quads.h"
 #include "remesh/schemes/edge_limits.h"
 #include "remesh/schemes/quads_door.h"
@@ -65,12 +65,12 @@ RemeshOutcome remeshToAngle(const TriangleMesh&, Welding, const RemeshOptions&, 
   refuse("A smallest angle");
 }
 
-ConformRun::ConformRun(const std::vector<io::Part>& given, const RemeshOptions& options)
-    : parts_(&given) {
+TouchingParts::TouchingParts(const std::vector<io::Part>& given, const RemeshOptions& options)
+    : given_(given) {
   if (options.conform) refuse("Common faces");
 }
-RemeshOptions ConformRun::applied(RemeshOptions options) const { return options; }
-void ConformRun::finish(std::vector<SceneRun>&) const {}
+RemeshOptions TouchingParts::applied(RemeshOptions options) const { return options; }
+void TouchingParts::finish(std::vector<SceneRun>&) const {}
 
 RegionRun::RegionRun(std::vector<io::Part>&, const RemeshOptions& options) {
   if (!options.region.empty()) refuse("A region");

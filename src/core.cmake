@@ -191,7 +191,6 @@ set(small
   src/jobs/parts/quad_diagonals.cpp
   src/jobs/repair_words.cpp
   src/jobs/scene_run.cpp
-  src/jobs/touching_parts.cpp
   src/measure/distance_bound.cpp
   src/measure/edge_report.cpp
   src/measure/mesh_report.cpp
@@ -386,13 +385,13 @@ set(doors
   src/jobs/checks/quad_checks.cpp
   src/jobs/checks/wanted_check.cpp
   src/jobs/checks/whole_steps.cpp
-  src/jobs/conform_run.cpp
   src/jobs/dropping.cpp
   src/jobs/part_repair.cpp
   src/jobs/parts/part_guides.cpp
   src/jobs/pixel_levels.cpp
   src/jobs/region_run.cpp
   src/jobs/thinned_parts.cpp
+  src/jobs/touching_parts.cpp
   src/remesh/quads/quads.cpp
   src/remesh/schemes/edge_limits.cpp
   src/remesh/schemes/quads_door.cpp

@@ -9,7 +9,6 @@
 #include "jobs/baking.h"
 #include "jobs/bare_materials.h"
 #include "jobs/checks/option_checks.h"
-#include "jobs/conform_run.h"
 #include "jobs/inspected_parts.h"
 #include "jobs/level_files.h"
 #include "jobs/mending.h"
@@ -21,6 +20,7 @@
 #include "jobs/run_guards.h"
 #include "jobs/scene_run.h"
 #include "jobs/thinned_parts.h"
+#include "jobs/touching_parts.h"
 
 namespace remesher {
 namespace {
@@ -83,7 +83,7 @@ RemeshSceneResult remeshScene(std::vector<PlacedMesh> scene, const RemeshOptions
   const std::unique_ptr<const ThinnedParts> thinned = thinnedParts(parts, options);
   const double mended = mendShare(options);
   const Mending mending(parts, options, stretch.part(0, mended));
-  const ConformRun conform(parts, options);
+  const TouchingParts conform(parts, options);
   std::vector<SceneRun> runs = region.within([&] {
     RemeshOptions chosen = conform.applied(mending.chosen(options));
     if (thinned) chosen = thinned->applied(std::move(chosen));
@@ -151,7 +151,7 @@ RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
     const Mending mending(model.parts, options, whole.part(kReadShare, mended));
     model.leftOut = mending.leftOut();
     const Progress body = whole.part(mended, 1);
-    const ConformRun conform(model.parts, options);
+    const TouchingParts conform(model.parts, options);
     model.sharesNodes = options.conform;
     std::vector<SceneRun> all;
     RemeshOptions chosen = conform.applied(thinned.applied(mending.chosen(options)));

@@ -59,7 +59,6 @@ add_executable(unit_tests
   tests/unit/jobs/checks/result_check_test.cpp
   tests/unit/jobs/checks/wanted_check_test.cpp
   tests/unit/jobs/checks/whole_steps_test.cpp
-  tests/unit/jobs/conform_run_test.cpp
   tests/unit/jobs/dropping_test.cpp
   tests/unit/jobs/face_budget_test.cpp
   tests/unit/jobs/fewest_vertices_test.cpp
@@ -80,6 +79,7 @@ add_executable(unit_tests
   tests/unit/jobs/pixel_levels_test.cpp
   tests/unit/jobs/region_run_test.cpp
   tests/unit/jobs/thinned_parts_test.cpp
+  tests/unit/jobs/touching_parts_test.cpp
   tests/unit/main.cpp
   tests/unit/measure/edge_report_test.cpp
   tests/unit/measure/hausdorff_test.cpp

@@ -132,7 +132,7 @@ struct RemeshOptions {
   Lengths lengths;
 
   // Not set by the caller: see PartTargets, PartUnions, fewest_vertices.h, mirrored.h,
-  // part_repair.cpp, conform_run.h.
+  // part_repair.cpp, touching_parts.h.
   TooFew tooFew = TooFew::Refuse;
   OutOfBound outOfBound = OutOfBound::FromOriginal;
   std::vector<Index> bodies;      // per input group its body; all bodies form one surface

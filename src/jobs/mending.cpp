@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "base/error.h"
 #include "io/model/same_mesh.h"
 #include "jobs/checks/precision.h"
 #include "jobs/checks/result_check.h"
@@ -48,13 +47,6 @@ std::vector<char> withoutEmpty(std::vector<io::Part>& parts) {
 bool isByInput(const RemeshOptions& options) {
   return !options.vertices && !options.faces && !options.edgeLength && !leadsByEdges(options) &&
          (options.ratio || !options.maxError);
-}
-
-void requireNoVertexNumbers(const RemeshOptions& options) {
-  if (options.density.empty() && options.featureEdges.empty()) return;
-  throw Error(ErrorCode::InvalidOption,
-              "density and featureEdges number the input's vertices, and some are left out.",
-              "Leave them out first, then remesh what is left.");
 }
 
 // What will be written in single precision is rounded first, so that rounding cannot undo a repair.
@@ -102,10 +94,7 @@ Mending::Mending(std::vector<io::Part>& parts, const RemeshOptions& options,
   for (const io::Part& part : parts) sources_.push_back(part.source);
   if (options.repair == Repair::Off && !leavesOut(options)) return;
   input_ = inspectScaled(parts);
-  if (leavesOut(options)) {
-    requireNoVertexNumbers(options);
-    dropped_.emplace();
-  }
+  if (leavesOut(options)) dropped_.emplace();
   // A remesher rounds at its end, and makes the same mesh for every format.
   if (purpose == Purpose::Itself) roundToSingle(parts);
   withinMemory([&] {

@@ -26,13 +26,6 @@ void checkRegion(const std::vector<io::Part>& parts, const RemeshOptions& option
   requireAlone(parts.size() == 1,
                "region needs one mesh, not " + std::to_string(parts.size()) + ".",
                "Give the meshes one by one.");
-  requireAlone(options.repair == Repair::Off && !options.quads && !options.weld &&
-                   !options.lengths.weld && options.lods.empty() && !options.dropBelow &&
-                   !options.dropFloaters && !options.dropHidden && !options.unite &&
-                   options.textures != Textures::Bake,
-               "region keeps all other triangles bit for bit, so it excludes quads, repair, weld, "
-               "lods, unite, dropBelow, dropHidden and baked textures.",
-               "Leave out region, or these.");
   const std::size_t triangles = parts.front().mesh.triangleCount();
   for (const Index t : options.region)
     requireAlone(t < triangles,

@@ -16,8 +16,8 @@ namespace remesher {
 class RegionRun {
  public:
   // Takes the triangles of the options' region out of the only part; does nothing without a region.
-  // Throws INVALID_OPTION for several parts, options that cannot be kept in a region, and numbers
-  // that no triangle has; the Errors of requireValid.
+  // Throws INVALID_OPTION for several parts, and for numbers that no triangle has; the Errors
+  // of requireValid.
   RegionRun(std::vector<io::Part>& parts, const RemeshOptions& options);
 
   // The options for the region: its share of the number of vertices or faces, its border kept.

@@ -15,8 +15,8 @@ namespace remesher {
 
 class TouchingParts {
  public:
-  // Only warns where no bodies touch. `given` must outlive the object. Throws the Errors of
-  // requireValid.
+  // Does nothing unless the options ask for it, and only warns where no bodies touch. `given` must
+  // outlive the object. Throws the Errors of requireValid.
   TouchingParts(const std::vector<io::Part>& given, const RemeshOptions& options);
 
   // What is to be remeshed: the complex in the place of its first part, and the parts that touch

@@ -147,14 +147,6 @@ void checkWanted(const RemeshOptions& options) {
   if (options.minAngle && *options.minAngle > 60)
     throw Error(ErrorCode::InvalidOption, "minAngle is above 60.",
                 "The smallest angle of a triangle is 60 degrees at most; ask for up to 30.");
-  if (wantsOfEach(options) &&
-      (options.quads || options.scheme == Scheme::Rounds || options.prefer == Prefer::Shape ||
-       options.splitObtuse || !options.lods.empty()))
-    throw Error(
-        ErrorCode::InvalidOption,
-        "minEdge, maxEdge and minAngle are wanted of isotropic triangles of the scheme best, "
-        "not of quads, rounds, prefer: shape, splitObtuse or levels of detail.",
-        "Leave out one of them.");
   if (options.minEdge && options.maxEdge && *options.minEdge > *options.maxEdge)
     throw Error(ErrorCode::InvalidOption,
                 "minEdge is " + shown(*options.minEdge) + ", longer than maxEdge, " +

@@ -13,7 +13,7 @@
 
 namespace remesher {
 
-// Throws INVALID_OPTION for limits out of range, or that contradict each other or other options.
+// Throws INVALID_OPTION for limits out of range, or that contradict each other.
 void checkWanted(const RemeshOptions& options);
 
 // Lengths are measured in the world, each part at its place. None if nothing was wanted.

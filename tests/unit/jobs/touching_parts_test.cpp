@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "jobs/conform_run.h"
+#include "jobs/touching_parts.h"
 
 #include <doctest/doctest.h>
 
