@@ -207,6 +207,7 @@ set(small
   src/mesh/joints.cpp
   src/mesh/manifold_cut.cpp
   src/mesh/orientation.cpp
+  src/mesh/quad_loops.cpp
   src/mesh/space_order.cpp
   src/mesh/topology.cpp
   src/mesh/used_vertices.cpp
@@ -266,7 +267,6 @@ set(small
   src/remesh/quads/map/spacing.cpp
   src/remesh/quads/map/untangle.cpp
   src/remesh/quads/mapped.cpp
-  src/remesh/quads/mesh/loops.cpp
   src/remesh/quads/mesh/quad_borders.cpp
   src/remesh/quads/mesh/quad_check.cpp
   src/remesh/quads/mesh/quad_parts.cpp

@@ -100,6 +100,7 @@ add_executable(unit_tests
   tests/unit/mesh/manifold_cut_test.cpp
   tests/unit/mesh/mesh_builder_test.cpp
   tests/unit/mesh/orientation_test.cpp
+  tests/unit/mesh/quad_loops_test.cpp
   tests/unit/mesh/space_order_test.cpp
   tests/unit/mesh/topology_test.cpp
   tests/unit/mesh/used_vertices_test.cpp
@@ -161,7 +162,6 @@ add_executable(unit_tests
   tests/unit/remesh/quads/map/seamless_map_test.cpp
   tests/unit/remesh/quads/map/seamless_system_test.cpp
   tests/unit/remesh/quads/map/untangle_test.cpp
-  tests/unit/remesh/quads/mesh/loops_test.cpp
   tests/unit/remesh/quads/mesh/quad_borders_test.cpp
   tests/unit/remesh/quads/mesh/quad_check_test.cpp
   tests/unit/remesh/quads/mesh/triangulated_test.cpp

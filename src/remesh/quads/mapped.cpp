@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "base/fires.h"
+#include "mesh/quad_loops.h"
 #include "remesh/quads/extract/closing.h"
 #include "remesh/quads/extract/extraction.h"
 #include "remesh/quads/extract/holes.h"
 #include "remesh/quads/extract/opening.h"
 #include "remesh/quads/field/singularities.h"
-#include "remesh/quads/mesh/loops.h"
 #include "remesh/quads/mesh/quad_borders.h"
 #include "remesh/quads/mesh/quad_check.h"
 #include "remesh/quads/mesh/quad_parts.h"
@@ -152,11 +152,13 @@ std::optional<Extracted> searchScale(const Domain& domain, const MapMaker& maker
 }
 
 std::size_t irregularCount(const QuadMesh& mesh) {
-  const QuadSides sides(mesh.vertices.size(), mesh.quads);
-  std::size_t count = 0;
-  for (Index v = 0; v < sides.vertexCount(); ++v)
-    count += !sides.isBoundary(v) && sides.valence(v) != 4;
-  return count;
+  return countIrregular(mesh.vertices.size(), sidesByEdge(mesh.quads));
+}
+
+// The share of all edges that the loop crosses which crosses most.
+double longestLoop(const QuadMesh& mesh) {
+  const QuadLoops loops = loopsOf(mesh.quads.size(), sidesByEdge(mesh.quads));
+  return double(loops.longest) / double(loops.edges);
 }
 
 // Looks among scales beside the one that was found for a map whose longest loop is shorter. Where
