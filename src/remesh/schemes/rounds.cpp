@@ -9,6 +9,7 @@
 #include "remesh/steps/adapt.h"
 #include "remesh/steps/boundaries.h"
 #include "remesh/steps/delaunay.h"
+#include "remesh/steps/edge_queue.h"
 #include "remesh/steps/lengths.h"
 #include "remesh/steps/split_obtuse.h"
 #include "remesh/steps/sweeps.h"
@@ -39,25 +40,6 @@ bool isLongest(const Run& run, Halfedge side) {
          own >= length(run, HalfedgeMesh::prev(side));
 }
 
-struct RankedEdge {
-  double key;  // the largest come first
-  Halfedge edge;
-};
-
-// The edges with keys above a limit, the largest first, ties by index.
-template <class Key>
-std::vector<RankedEdge> rankedEdges(const HalfedgeMesh& mesh, double above, Key key) {
-  std::vector<RankedEdge> edges;
-  for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
-    if (!mesh.isEdge(Halfedge(i))) continue;
-    const double own = key(Halfedge(i));
-    if (own > above) edges.push_back({own, Halfedge(i)});
-  }
-  std::stable_sort(edges.begin(), edges.end(),
-                   [](const RankedEdge& a, const RankedEdge& b) { return a.key > b.key; });
-  return edges;
-}
-
 // How bad the triangles of an edge are; boundary edges come before all others.
 double badness(const WorkingMesh& mesh, Halfedge h) {
   const HalfedgeMesh& m = mesh.mesh();
@@ -76,36 +58,41 @@ double goodness(const WorkingMesh& mesh, Halfedge h) {
   return std::max(smallestAngle(mesh, m.face(h)), smallestAngle(mesh, m.face(m.twin(h))));
 }
 
-std::vector<RankedEdge> longestFirst(const Run& run, double above) {
-  return rankedEdges(run.mesh.mesh(), above, [&](Halfedge h) { return length(run, h); });
+EdgeQueue longestFirst(const Run& run) {
+  return {run.mesh.mesh(), [&](Halfedge h) { return length(run, h); }};
 }
 
-std::vector<RankedEdge> shortestFirst(const Run& run, double below) {
-  return rankedEdges(run.mesh.mesh(), -below, [&](Halfedge h) { return -length(run, h); });
+EdgeQueue shortestFirst(const Run& run) {
+  return {run.mesh.mesh(), [&](Halfedge h) { return -length(run, h); }};
 }
 
 // The order of insertion: the edges of the worst triangles first; with graded sizes the edges that
 // exceed their target most, for bad angles say nothing about sizes.
-std::vector<RankedEdge> splitOrder(const Run& run) {
-  if (!run.sizes.isEven()) return longestFirst(run, -kInfinity);
-  return rankedEdges(run.mesh.mesh(), -kInfinity, [&](Halfedge h) { return badness(run.mesh, h); });
+EdgeQueue splitOrder(const Run& run) {
+  if (!run.sizes.isEven()) return longestFirst(run);
+  return {run.mesh.mesh(), [&](Halfedge h) { return badness(run.mesh, h); }};
 }
 
 // The order of collapses: the edges of the best triangles first; with graded sizes the edges
 // shortest for their target.
-std::vector<RankedEdge> collapseOrder(const Run& run) {
-  if (!run.sizes.isEven()) return shortestFirst(run, kInfinity);
-  return rankedEdges(run.mesh.mesh(), -kInfinity,
-                     [&](Halfedge h) { return goodness(run.mesh, h); });
+EdgeQueue collapseOrder(const Run& run) {
+  if (!run.sizes.isEven()) return shortestFirst(run);
+  return {run.mesh.mesh(), [&](Halfedge h) { return goodness(run.mesh, h); }};
 }
 
+// When a round ends: at a number of vertices, or where no key is above a limit.
+struct RoundGoal {
+  std::size_t vertices;
+  double above = -kInfinity;
+};
+
 // One round of insertion: edges that are the longest of their triangles, no triangle twice.
-std::size_t splitRound(Run& run, const std::vector<RankedEdge>& edges, std::size_t target) {
+std::size_t splitRound(Run& run, EdgeQueue edges, const RoundGoal& goal) {
   const HalfedgeMesh& m = run.mesh.mesh();
   FaceData<char> touched(m.faceCapacity(), 0);
   std::size_t splits = 0;
-  for (const auto& [key, h] : edges) {
-    if (m.vertexCount() >= target) break;
+  while (!edges.empty() && edges.largestKey() > goal.above && m.vertexCount() < goal.vertices) {
+    const Halfedge h = edges.pop().edge;
     const Halfedge t = m.twin(h);
     if (touched[m.face(h)] || (t && touched[m.face(t)])) continue;
     if (!isLongest(run, h) || (t && !isLongest(run, t))) continue;
@@ -127,12 +114,12 @@ bool tryCollapse(Run& run, Halfedge h) {
 }
 
 // One round of collapses: no star twice.
-std::size_t collapseRound(Run& run, const std::vector<RankedEdge>& edges, std::size_t target) {
+std::size_t collapseRound(Run& run, EdgeQueue edges, const RoundGoal& goal) {
   const HalfedgeMesh& m = run.mesh.mesh();
   FaceData<char> touched(m.faceCapacity(), 0);
   std::size_t collapses = 0;
-  for (const auto& [key, h] : edges) {
-    if (m.vertexCount() <= target) break;
+  while (!edges.empty() && edges.largestKey() > goal.above && m.vertexCount() > goal.vertices) {
+    const Halfedge h = edges.pop().edge;
     if (!m.isAlive(h)) continue;
     const Halfedge t = m.twin(h);
     if (touched[m.face(h)] || (t && touched[m.face(t)])) continue;
@@ -159,8 +146,8 @@ void grade(Run& run, const Progress& progress) {
       std::size_t(kMostGraded * std::max(run.sizes.vertices(), double(mesh.vertexCount())));
   for (int i = 0; i < kGradingRounds; ++i) {
     progress.at(double(i) / kGradingRounds);
-    std::size_t changes = splitRound(run, longestFirst(run, kLong), most);
-    changes += collapseRound(run, shortestFirst(run, kShort), 0);
+    std::size_t changes = splitRound(run, longestFirst(run), {most, kLong});
+    changes += collapseRound(run, shortestFirst(run), {0, -kShort});
     areaBasedRound(run);
     if (changes == 0) break;
   }
@@ -187,8 +174,8 @@ bool runRounds(Run& run, const RoundsGoal& goal, const Progress& progress) {
   while (mesh.vertexCount() != goal.vertices && patience.after(changes, missing)) {
     rest.at(share * (double(mesh.vertexCount()) - start) / way);
     changes = mesh.vertexCount() < goal.vertices
-                  ? splitRound(run, splitOrder(run), goal.vertices)
-                  : collapseRound(run, collapseOrder(run), goal.vertices);
+                  ? splitRound(run, splitOrder(run), {goal.vertices})
+                  : collapseRound(run, collapseOrder(run), {goal.vertices});
     missing =
         std::max(mesh.vertexCount(), goal.vertices) - std::min(mesh.vertexCount(), goal.vertices);
     areaBasedRound(run);

@@ -10,6 +10,7 @@
 #include "remesh/ground/decimate.h"
 #include "remesh/steps/coarsen.h"
 #include "remesh/steps/delaunay.h"
+#include "remesh/steps/edge_queue.h"
 #include "remesh/steps/lengths.h"
 #include "remesh/steps/sweeps.h"
 #include "remesh/steps/valence.h"
@@ -115,34 +116,11 @@ void thinOut(Run& run) {
   decimate(run.mesh, run.asked.rule, spacing);
 }
 
-struct EdgeOfLength {
-  double length;
-  Halfedge edge;
-  Vertex from, to;
-
-  bool operator<(const EdgeOfLength& other) const {
-    return length < other.length || (length == other.length && other.edge < edge);
-  }
-};
-
-// A heap, since few of its edges are used.
-std::vector<EdgeOfLength> edgesByLength(const Run& run) {
-  const HalfedgeMesh& mesh = run.mesh.mesh();
-  VertexSizes sizes(run);
-  std::vector<EdgeOfLength> edges;
-  for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
-    const Halfedge h(i);
-    if (mesh.isEdge(h)) edges.push_back({sizes.relativeLength(h), h, mesh.origin(h), mesh.tip(h)});
-  }
-  std::make_heap(edges.begin(), edges.end());
-  return edges;
-}
-
 // Where the new vertex of an edge goes: onto the original, or on the edge itself.
 enum class Middle { Projected, Straight };
 
 // Splits an edge at its own middle: no point of the surface moves, so that nothing can fold over.
-bool commitStraight(Run& run, const EdgeOfLength& edge) {
+bool commitStraight(Run& run, const RankedEdge& edge) {
   run.scratch.change.place.position =
       0.5 * (run.mesh.position(edge.from) + run.mesh.position(edge.to));
   if (run.asked.rule.mode != Fidelity::Fold) return commit(run);
@@ -160,10 +138,10 @@ bool makesNeedle(const Run& run) {
 std::size_t splitLongest(Run& run, std::size_t vertices, Middle middle, Halves halves) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
   std::size_t splits = 0;
-  for (std::vector<EdgeOfLength> edges = edgesByLength(run);
-       !edges.empty() && mesh.vertexCount() < vertices; edges.pop_back()) {
-    std::pop_heap(edges.begin(), edges.end());
-    const EdgeOfLength& edge = edges.back();
+  VertexSizes sizes(run);
+  EdgeQueue edges(mesh, [&](Halfedge h) { return sizes.relativeLength(h); });
+  while (!edges.empty() && mesh.vertexCount() < vertices) {
+    const RankedEdge edge = edges.pop();
     const Halfedge h = mesh.find(edge.from, edge.to);
     if (!h || !proposeSplit(run.mesh, run.projector, h, run.scratch.change)) continue;
     if (halves == Halves::NoNeedles && makesNeedle(run)) continue;

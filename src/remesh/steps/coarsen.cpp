@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "remesh/steps/coarsen.h"
 
-#include <algorithm>
 #include <array>
-#include <functional>
-#include <vector>
 
 #include "base/fires.h"
 #include "base/patience.h"
+#include "remesh/steps/edge_queue.h"
 #include "remesh/steps/lengths.h"
 
 namespace remesher {
@@ -42,42 +40,26 @@ class Coarsening {
   }
 
  private:
-  struct Ranked {
-    double length;
-    Halfedge edge;
-
-    bool operator>(const Ranked& other) const {
-      return length > other.length || (length == other.length && other.edge < edge);
-    }
-  };
-
   bool isTooMany() const { return run_.mesh.mesh().vertexCount() > goal_.vertices; }
 
-  // A heap, the shortest first: in most meshes few edges have to go.
-  std::vector<Ranked> worthATry() const {
+  // The shortest first.
+  EdgeQueue worthATry() const {
     const HalfedgeMesh& mesh = run_.mesh.mesh();
     VertexSizes sizes(run_);
-    std::vector<Ranked> edges;
-    for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
-      const Halfedge h(i);
-      if (!mesh.isEdge(h) || !(changed_[mesh.origin(h)] || changed_[mesh.tip(h)])) continue;
-      edges.push_back({sizes.relativeLength(h), h});
-    }
-    std::make_heap(edges.begin(), edges.end(), std::greater<>());
-    return edges;
+    return {mesh, [&](Halfedge h) { return changed_[mesh.origin(h)] || changed_[mesh.tip(h)]; },
+            [&](Halfedge h) { return -sizes.relativeLength(h); }};
   }
 
   std::size_t pass() {
     const HalfedgeMesh& mesh = run_.mesh.mesh();
-    std::vector<Ranked> edges = worthATry();
+    EdgeQueue edges = worthATry();
     const std::size_t count = edges.size();
     changed_.assign(mesh.vertexCapacity(), 0);
     std::size_t collapses = 0;
-    for (; !edges.empty() && isTooMany() && !areProofsSpent(run_); edges.pop_back()) {
+    while (!edges.empty() && isTooMany() && !areProofsSpent(run_)) {
       const std::size_t i = count - edges.size();
       if (i % kTick == 0) progress_.at(1 - left_ + kPassShare * left_ * double(i) / double(count));
-      std::pop_heap(edges.begin(), edges.end(), std::greater<>());
-      const Halfedge h = edges.back().edge;
+      const Halfedge h = edges.pop().edge;
       if (!mesh.isAlive(h) || changed_[mesh.origin(h)] || changed_[mesh.tip(h)]) continue;
       if (!collapse(h)) continue;
       ++collapses;

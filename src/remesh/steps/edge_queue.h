@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Edges by a key, the largest first: of splits the longest, of collapses the shortest by its
+// negative length. A heap, since mostly few edges are taken.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "mesh/halfedge_mesh.h"
+
+namespace remesher {
+
+struct RankedEdge {
+  double key;
+  Halfedge edge;
+  Vertex from, to;  // when it was ranked
+
+  // Ties by number, the lowest first.
+  bool operator<(const RankedEdge& other) const {
+    return key != other.key ? key < other.key : other.edge < edge;
+  }
+};
+
+class EdgeQueue {
+ public:
+  // The edges for which isWanted holds. key: of an edge.
+  template <class Wanted, class Key>
+  EdgeQueue(const HalfedgeMesh& mesh, Wanted isWanted, Key key) {
+    for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
+      const Halfedge h(i);
+      if (mesh.isEdge(h) && isWanted(h)) edges_.push_back({key(h), h, mesh.origin(h), mesh.tip(h)});
+    }
+    std::make_heap(edges_.begin(), edges_.end());
+  }
+
+  template <class Key>
+  EdgeQueue(const HalfedgeMesh& mesh, Key key)
+      : EdgeQueue(
+            mesh, [](Halfedge) { return true; }, key) {}
+
+  bool empty() const { return edges_.empty(); }
+  std::size_t size() const { return edges_.size(); }
+  double largestKey() const { return edges_.front().key; }
+
+  RankedEdge pop() {
+    std::pop_heap(edges_.begin(), edges_.end());
+    const RankedEdge edge = edges_.back();
+    edges_.pop_back();
+    return edge;
+  }
+
+ private:
+  std::vector<RankedEdge> edges_;
+};
+
+}  // namespace remesher
