@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "simplify/quadric.h"
+#include "geometry/quadric.h"
 
 namespace remesher {
 

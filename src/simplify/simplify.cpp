@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "base/options.h"
+#include "geometry/quadric.h"
 #include "geometry/triangle.h"
 #include "mesh/euler_operators.h"
 #include "simplify/attribute_quadrics.h"
-#include "simplify/quadric.h"
 
 namespace remesher {
 

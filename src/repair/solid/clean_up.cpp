@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/fires.h"
+#include "geometry/quadric.h"
 #include "geometry/triangle_meeting.h"
 #include "geometry/triangle_tree.h"
 #include "measure/self_intersections.h"
@@ -31,27 +32,6 @@ constexpr double kLongest = 6;
 // than 40°, unless that had a smaller angle: normals of needles mean little.
 const double kSmallestTangent = std::tan(radians(15));
 const double kMostTurned = std::cos(radians(40));
-
-// Weighted squared distances from planes [Garland & Heckbert 1997].
-struct PlaneSum {
-  Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
-  Vec3 vector = Vec3::Zero();
-  double constant = 0;
-
-  // at: a point of the plane, relative to Cleaner::origin(), for accuracy far from zero.
-  void add(const Vec3& normal, const Vec3& at, double weight) {
-    const double distance = -normal.dot(at);
-    matrix += weight * normal * normal.transpose();
-    vector += weight * distance * normal;
-    constant += weight * distance * distance;
-  }
-  void add(const PlaneSum& other) {
-    matrix += other.matrix, vector += other.vector, constant += other.constant;
-  }
-  double at(const Vec3& p) const {
-    return std::max(0.0, p.dot(matrix * p) + 2 * vector.dot(p) + constant);
-  }
-};
 
 // The tangent of the smallest angle, which is opposite the shortest edge. It compares like the
 // angle, and is faster to compute.
@@ -129,6 +109,7 @@ class Cleaner {
   using Choice = std::pair<double, Halfedge>;
 
   const Vec3& at(Vertex v) const { return contour_.points[v.index]; }
+  // Of the quadrics, for accuracy far from zero.
   Vec3 origin() const { return contour_.points.front(); }
 
   Triangle cornersOf(Face f) const {
@@ -149,7 +130,7 @@ class Cleaner {
     if (!(twice > 0)) return;
     const Vec3 normal = vector / twice;
     const double weight = std::min(1.0, 2 * twice / (rule_.spacing * rule_.spacing));
-    for (const Vertex v : {a, b, c}) sums_[v].add(normal, at(a) - origin(), weight);
+    for (const Vertex v : {a, b, c}) sums_[v].addPlane(normal, at(a) - origin(), weight);
     for (int k = 0; k < 3; ++k) {
       const Halfedge h = HalfedgeMesh::halfedge(f, k);
       if (!isBorder(h)) continue;
@@ -157,7 +138,7 @@ class Cleaner {
       const Vec3 across = along.cross(normal).normalized();
       if (!across.allFinite()) continue;
       for (const Vertex v : {mesh_.origin(h), mesh_.tip(h)})
-        sums_[v].add(across, at(v) - origin(), 1);
+        sums_[v].addPlane(across, at(v) - origin(), 1);
     }
   }
 
@@ -180,7 +161,7 @@ class Cleaner {
     const double shortest = kShortEdge * rule_.spacing;
     const double most =
         rule_.spacing * (length < shortest * shortest ? kToleranceOfShort : kTolerance);
-    const double squared = sums_[from].at(at(into) - origin());
+    const double squared = std::max(0.0, sums_[from].at(at(into) - origin()));
     if (squared > most * most) return kInfinity;
     // Among collapses without cost the shortest edges go first, which keeps triangles even.
     constexpr double kByLength = 1e-4;
@@ -306,7 +287,7 @@ class Cleaner {
   const CleaningRule& rule_;
   HalfedgeMesh mesh_;
   const bool hasBorders_;  // between kinds
-  VertexData<PlaneSum> sums_;
+  VertexData<Quadric> sums_;
   VertexData<char> isOther_;      // locked, or its star differs from the other run
   VertexData<char> isTouched_;    // in this pass
   VertexData<char> isWorthATry_;  // its star has changed since it was tried

@@ -5,7 +5,8 @@
 
 namespace remesher {
 
-// The sum of weighted squared distances from planes and points, as a function of the place.
+// The sum of weighted squared distances from planes and points, as a function of the place
+// [Garland & Heckbert 1997].
 struct Quadric {
   Eigen::Matrix3d square = Eigen::Matrix3d::Zero();
   Vec3 linear = Vec3::Zero();
