@@ -94,12 +94,12 @@ set(small
   src/boolean.cpp
   src/contact/body_soup.cpp
   src/contact/common_faces.cpp
-  src/contact/divided_edges.cpp
   src/contact/face_overlay.cpp
   src/contact/flat_faces.cpp
   src/contact/met_borders.cpp
   src/contact/touching.cpp
   src/find_faults.cpp
+  src/geometry/divided_edges.cpp
   src/geometry/extent.cpp
   src/geometry/mesh_tree.cpp
   src/geometry/piecewise.cpp

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "contact/divided_edges.h"
 #include "contact/flat_faces.h"
+#include "geometry/divided_edges.h"
 
 namespace remesher {
 

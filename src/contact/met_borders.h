@@ -3,8 +3,8 @@
 // and where a border meets another both get a point.
 #pragma once
 
-#include "contact/divided_edges.h"
 #include "contact/flat_faces.h"
+#include "geometry/divided_edges.h"
 
 namespace remesher {
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/fires.h"
+#include "geometry/divided_edges.h"
 #include "geometry/triangle_meeting.h"
 #include "geometry/triangle_tree.h"
 #include "mesh/attribute_mix.h"
@@ -46,18 +47,6 @@ std::size_t countUnbalanced(const Welding& welding) {
   return count;
 }
 
-// Where an open vertex lies along an edge.
-struct Junction {
-  double along;  // 0 to 1
-  Index vertex;
-
-  bool operator<(const Junction& other) const {
-    return along != other.along ? along < other.along : vertex < other.vertex;
-  }
-};
-
-using Junctions = std::array<std::vector<Junction>, 3>;  // per edge of a triangle
-
 class Stitcher {
  public:
   explicit Stitcher(TriangleMesh& mesh)
@@ -73,8 +62,8 @@ class Stitcher {
     if (points.empty()) return false;
     const std::vector<Vec3> positions = mesh_.positions;
     const TriangleTree tree(positions, points);
-    const std::vector<Junctions> junctions = junctionsOn(openEdgesOf(welding), tree, points);
-    return divide(junctions, inputs);
+    const DividedEdges edges = dividedAt(openEdgesOf(welding), tree, points);
+    return !edges.empty() && divide(edges, inputs);
   }
 
  private:
@@ -93,28 +82,33 @@ class Stitcher {
     return isOpen;
   }
 
-  std::vector<Junctions> junctionsOn(const std::vector<char>& isOpen, const TriangleTree& tree,
-                                     const std::vector<Index>& points) const {
-    std::vector<Junctions> junctions(mesh_.triangleCount());
+  // The open edges divided by new vertices where open vertices lie on them.
+  DividedEdges dividedAt(const std::vector<char>& isOpen, const TriangleTree& tree,
+                         const std::vector<Index>& points) {
+    DividedEdges edges;
+    std::vector<std::pair<double, Index>> found;  // the place along the edge, the open vertex
     for (Index h = 0; h < isOpen.size(); ++h) {
       if (!isOpen[h]) continue;
-      const Vec3& a = mesh_.positions[mesh_.indices[h]];
-      const Vec3& b = mesh_.positions[mesh_.indices[nextCorner(h)]];
+      const Vec3 &a = position(h), &b = position(nextCorner(h));
       Box box;
       for (const Vec3& p : {a, b}) {
         box.extend(p - Vec3::Constant(tolerance_));
         box.extend(p + Vec3::Constant(tolerance_));
       }
-      std::vector<Junction>& found = junctions[h / 3][h % 3];
+      found.clear();
       tree.visitOverlapping(box, [&](Index point) {
         const Index v = points[3 * std::size_t{point}];
         if (const double along = alongEdge(mesh_.positions[v], a, b); along > 0)
-          found.push_back({along, v});
+          found.emplace_back(along, v);
       });
       std::sort(found.begin(), found.end());
+      for (const auto& [along, v] : found)
+        edges.add(mesh_.indices[h], mesh_.indices[nextCorner(h)], along, newVertex(h, along, v));
     }
-    return junctions;
+    return edges;
   }
+
+  const Vec3& position(Index corner) const { return mesh_.positions[mesh_.indices[corner]]; }
 
   // The place between the ends of an edge that p lies on; 0 if it does not.
   double alongEdge(const Vec3& p, const Vec3& a, const Vec3& b) const {
@@ -124,51 +118,38 @@ class Stitcher {
     return isBetween && (p - a - along * edge).norm() <= tolerance_ ? along : 0;
   }
 
-  bool divide(const std::vector<Junctions>& junctions, std::vector<Index>& inputs) {
-    const std::vector<Index> triangles = std::exchange(mesh_.indices, {});
-    const std::vector<Index> groups = std::exchange(mesh_.groups, {}),
-                             all = std::exchange(inputs, {});
-    for (const bool isDivided : {false, true})
-      for (Index t = 0; t < junctions.size(); ++t) {
-        const Junctions& own = junctions[t];
-        if (isDivided == (own[0].empty() && own[1].empty() && own[2].empty())) continue;
-        const Index* v = &triangles[3 * std::size_t{t}];
-        append({v[0], v[1], v[2]}, own);
-        inputs.resize(mesh_.triangleCount(), all[t]);
-        if (!groups.empty()) mesh_.groups.resize(mesh_.triangleCount(), groups[t]);
-      }
-    return mesh_.indices.size() > triangles.size();
+  // Returns whether any triangle was divided. These come last.
+  bool divide(const DividedEdges& edges, std::vector<Index>& inputs) {
+    const TriangleMesh before{
+        {}, std::exchange(mesh_.indices, {}), std::exchange(mesh_.groups, {}), {}};
+    const std::vector<Index> all = std::exchange(inputs, {});
+    const auto append = [&](Index t, const std::vector<std::array<Index, 3>>& made) {
+      for (const auto& v : made) mesh_.indices.insert(mesh_.indices.end(), v.begin(), v.end());
+      inputs.resize(mesh_.triangleCount(), all[t]);
+      if (!before.groups.empty()) mesh_.groups.resize(mesh_.triangleCount(), before.groups[t]);
+    };
+    std::vector<std::pair<Index, std::vector<std::array<Index, 3>>>> last;
+    for (Index t = 0; t < before.triangleCount(); ++t) {
+      const Index* v = &before.indices[3 * std::size_t{t}];
+      auto made = divided({v[0], v[1], v[2]}, edges, mesh_.positions);
+      if (made.size() == 1)
+        append(t, made);
+      else
+        last.emplace_back(t, std::move(made));
+    }
+    for (const auto& [t, made] : last) append(t, made);
+    return !last.empty();
   }
 
-  // The triangle, divided at its junctions: a fan from the corner opposite to an edge with
-  // junctions, whose first and last triangles have the other two edges.
-  void append(std::array<Index, 3> corners, Junctions junctions) {
-    std::size_t edge = 0;
-    while (edge < 3 && junctions[edge].empty()) ++edge;
-    if (edge == 3) {
-      mesh_.indices.insert(mesh_.indices.end(), corners.begin(), corners.end());
-      return;
-    }
-    const Index from = corners[edge], to = corners[(edge + 1) % 3], apex = corners[(edge + 2) % 3];
-    std::vector<Index> along = {from};
-    for (const Junction& junction : junctions[edge])
-      along.push_back(between({from, to, apex}, junction));
-    along.push_back(to);
-    for (std::size_t i = 0; i + 1 < along.size(); ++i) {
-      Junctions own;
-      if (i + 2 == along.size()) own[1] = std::move(junctions[(edge + 1) % 3]);
-      if (i == 0) own[2] = std::move(junctions[(edge + 2) % 3]);
-      append({along[i], along[i + 1], apex}, std::move(own));
-    }
-  }
-
-  // A new vertex at the junction on the first edge of a triangle.
-  Index between(const std::array<Index, 3>& corners, const Junction& junction) {
-    const Vec3 weights(1 - junction.along, junction.along, 0);
-    const Vec3 normal = areaVector(mesh_.positions[corners[0]], mesh_.positions[corners[1]],
-                                   mesh_.positions[corners[2]]);
-    mix_.append({corners, weights, normal}, mesh_.attributes);
-    mesh_.positions.push_back(Vec3(mesh_.positions[junction.vertex]));
+  // At the place of an open vertex, with the attributes of the edge there.
+  Index newVertex(Index h, double along, Index at) {
+    const Index next = nextCorner(h), last = nextCorner(next);
+    const Vec3 normal = areaVector(position(h), position(next), position(last));
+    mix_.append({{mesh_.indices[h], mesh_.indices[next], mesh_.indices[last]},
+                 {1 - along, along, 0},
+                 normal},
+                mesh_.attributes);
+    mesh_.positions.push_back(Vec3(mesh_.positions[at]));
     return Index(mesh_.positions.size() - 1);
   }
 

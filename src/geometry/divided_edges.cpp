@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "contact/divided_edges.h"
+#include "geometry/divided_edges.h"
 
 #include <algorithm>
 
@@ -16,22 +16,25 @@ class Outline {
  public:
   explicit Outline(std::span<const Vec3> points) : points_(points) {}
 
-  void add(Index point, unsigned sides) { places_.push_back({point, sides}); }
+  void add(Index point, unsigned sides) {
+    places_.push_back({point, sides});
+    for (unsigned k = 0; k < 3; ++k) counts_[k] += (sides & sideBit(k)) != 0;
+  }
 
   // Cuts off the ear with the widest smallest angle, again and again.
   std::vector<std::array<Index, 3>> filled() {
+    for (std::size_t i = 0; i < places_.size(); ++i) setAngle(i);
     std::vector<std::array<Index, 3>> triangles;
     while (places_.size() > 3) {
       std::size_t best = places_.size();
       double widest = -1;
-      for (std::size_t i = 0; i < places_.size(); ++i) {
-        if (!isEar(i)) continue;
-        const auto [a, b, c] = corners(i);
-        const double angle = minAngle(points_[a], points_[b], points_[c]);
-        if (angle > widest) widest = angle, best = i;
-      }
+      for (std::size_t i = 0; i < places_.size(); ++i)
+        if (places_[i].angle > widest && leavesArea(i)) widest = places_[i].angle, best = i;
       triangles.push_back(corners(best));
+      for (unsigned k = 0; k < 3; ++k) counts_[k] -= (places_[best].sides & sideBit(k)) != 0;
       places_.erase(places_.begin() + std::ptrdiff_t(best));
+      setAngle(best % places_.size());
+      setAngle((best + places_.size() - 1) % places_.size());
     }
     triangles.push_back(corners(1));
     return triangles;
@@ -40,7 +43,8 @@ class Outline {
  private:
   struct Place {
     Index point;
-    unsigned sides;  // bits of those that it lies on
+    unsigned sides;     // bits of those that it lies on
+    double angle = -1;  // the smallest of its ear; -1 for an ear without area
   };
 
   const Place& at(std::size_t i) const { return places_[i % places_.size()]; }
@@ -48,17 +52,22 @@ class Outline {
     return {at(i + places_.size() - 1).point, at(i).point, at(i + 1).point};
   }
 
-  // The outline is convex: an ear is one if it has an area, and if what is left has one.
-  bool isEar(std::size_t i) const {
-    const std::size_t n = places_.size();
-    if ((at(i + n - 1).sides & at(i).sides & at(i + 1).sides) != 0) return false;
-    unsigned left = ~0U;
-    for (std::size_t j = 1; j < n && left != 0; ++j) left &= at(i + j).sides;
-    return left == 0;
+  void setAngle(std::size_t i) {
+    const auto [a, b, c] = corners(i);
+    const bool isFlat = (at(i + places_.size() - 1).sides & at(i).sides & at(i + 1).sides) != 0;
+    places_[i].angle = isFlat ? -1 : minAngle(points_[a], points_[b], points_[c]);
+  }
+
+  // Whether the others do not all lie on one side.
+  bool leavesArea(std::size_t i) const {
+    for (unsigned k = 0; k < 3; ++k)
+      if (counts_[k] + 1 == places_.size() && (places_[i].sides & sideBit(k)) == 0) return false;
+    return true;
   }
 
   std::span<const Vec3> points_;
   std::vector<Place> places_;
+  std::array<std::size_t, 3> counts_{};  // per side of the places on it
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "contact/divided_edges.h"
+#include "geometry/divided_edges.h"
 
 #include <doctest/doctest.h>
 
