@@ -96,6 +96,15 @@ double countCrossed(const Diagnosis& diagnosis) {
   return double(crossed);
 }
 
+// The lattice of a repair alone. What is decided on it does not depend on how many vertices the
+// surface gets afterwards: else a thin strip is a body for one number and a sheet for the next.
+SolidRule ruleOfRepairAlone(const TriangleMesh& input, const RemeshOptions& options) {
+  RemeshOptions alone;
+  alone.gap = options.gap;
+  alone.sheets = options.sheets;
+  return ruleFor(input, alone, InsideBy::Reach);
+}
+
 // Whether hardly anything but sheets is there, such as cards or a terrain: open pieces that are
 // seen from both sides. Triangles that share no edges, or most of which intersect others, are none.
 bool isOfSheets(const TriangleMesh& input, const RemeshOptions& options) {
@@ -104,7 +113,7 @@ bool isOfSheets(const TriangleMesh& input, const RemeshOptions& options) {
   if (isLoose(input) || crossed > ladder::kMostSheetsCrossed * double(input.triangleCount()) ||
       openShare(diagnosis) < ladder::kNearlyAllSheets)
     return false;
-  const SolidRule rule = ruleFor(input, options, InsideBy::Reach);
+  const SolidRule rule = ruleOfRepairAlone(input, options);
   return enclosureOf(input, rule).sheetShare > ladder::kNearlyAllSheets;
 }
 

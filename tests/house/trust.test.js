@@ -4,12 +4,15 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
+import { inspect } from 'remesher';
+
 import { claims, lawsOfClaim, lawsOfTimes } from '../fuzz/proportion_case.js';
 import { changes } from '../fuzz/invariance_case.js';
+import { lawsOfMended } from '../fuzz/repair_case.js';
 import { holedSheet } from '../fuzz/made_bodies.js';
 import { Dice } from '../fuzz/dice.js';
 import { joined, moved, shapes } from '../fuzz/made_shapes.js';
-import { files } from '../fuzz/made_files.js';
+import { files, meshOf } from '../fuzz/made_files.js';
 import { pairedFaces, objFile } from '../fuzz/trust_files.js';
 import { makeSaidCase, runOf } from '../fuzz/trust_case.js';
 import { figuresOf } from '../support/independent/figures.js';
@@ -46,6 +49,20 @@ test('a report that is wrong in one figure is noticed', () => {
     { minAngle: { worst, mean: mean - 0.1 } }, { quads: { count: 53 } }]) {
     const output = { ...right.output, ...wrong };
     assert.equal(lawsOfWriting(written, { ...right, output }, file).length, 1);
+  }
+});
+
+test('what a repair left open or crossing is accepted where a warning says so', async () => {
+  const mesh = meshOf(joined(shapes.box(2), moved(shapes['flat sheet'](1), [0.2, 0.3, 0.5])));
+  const { length } = await lawsOfMended(mesh, 'repaired', { mayTouch: true });
+  assert.equal(length, 2);
+  const { faults } = await inspect(mesh, { faults: true });
+  const said = [{ code: 'SHEETS_LEFT', count: 1, at: [0.2, 0.3, 0.5] },
+    { code: 'CROSSINGS_LEFT', count: faults.selfIntersections, at: [0.2, 0.3, 0.5] }];
+  assert.deepEqual(await lawsOfMended(mesh, 'repaired', { mayTouch: true, warnings: said }), []);
+  for (const warnings of [said.slice(1), said.map(({ code, count }) => ({ code, count })),
+    said.map((warning) => ({ ...warning, count: 1 }))]) {
+    assert.notDeepEqual(await lawsOfMended(mesh, 'repaired', { mayTouch: true, warnings }), []);
   }
 });
 

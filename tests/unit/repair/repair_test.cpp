@@ -121,6 +121,18 @@ TEST_CASE("repair: a cavity that was given stays, one that uniting makes is fill
   CHECK(inspectMesh(kept.mesh).components == 2);
 }
 
+TEST_CASE("repair: how many vertices follow does not decide what is a sheet") {
+  for (const TriangleMesh& mesh : {shapes::sliverFan(16), shapes::grid(9, 7)}) {
+    RemeshOptions options;
+    options.repair = Repair::Auto;
+    const std::string reason = repairSurface(mesh, options).report.reason;
+    for (const Index vertices : {100U, 1500U, 6000U}) {
+      options.vertices = vertices;
+      CHECK(repairSurface(mesh, options).report.reason == reason);
+    }
+  }
+}
+
 TEST_CASE("repair: auto leaves sheets alone, with a warning that has a place") {
   const TriangleMesh sheet = shapes::grid(9, 7);
   const RepairedMesh result = mended(sheet);
