@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/fires.h"
 #include "io/model/bake.h"
 #include "io/model/same_mesh.h"
 #include "jobs/checks/result_check.h"
@@ -19,6 +20,7 @@
 #include "measure/mesh_report.h"
 #include "measure/self_intersections.h"
 #include "remesh/schemes/chooser.h"
+#include "repair/exact_repair.h"
 #include "repair/fineness.h"
 #include "repair/repair.h"
 
@@ -210,6 +212,8 @@ bool isSound(const TriangleMesh& mesh) {
 
 RoundedMesh inSoundPrecisionOf(const TriangleMesh& original, RemeshOutcome& outcome) {
   RoundedMesh rounded = inPrecisionOf(original, std::move(outcome.mesh));
+  // A body of a few triangles, thinner than single precision tells, may come out inside out.
+  if (faceOutwards(rounded.mesh)) fires("part repair: bodies turned after remeshing");
   const Rule& rule = choose(Decision::Written, [&](Fact fact) {
     if (fact == Fact::QuadsAsked) return rounded.mesh.isQuads;
     if (fact == Fact::ResultUnsound) return !isSound(rounded.mesh);

@@ -69,18 +69,26 @@ ExactRepair withLoopsClosed(const TriangleMesh& input, const LoopRule& rule) {
   return result;
 }
 
-// Turns the pieces that are inside out.
-void faceOutwards(ExactRepair& repair, const Diagnosis& diagnosis) {
-  const std::vector<Index> triangles = trianglesOf(diagnosis, isInsideOut);
-  turnOver(repair.mesh, triangles);
-  repair.turned += triangles.size();
-  repair.way = ExactRepair::Way::Closed;
-  if (!repair.mesh.isQuads) return;
-  // The halves of a quad change places, so that they are cut from its first corner again.
+// The halves of quads that were turned change places, so that they are cut from their first corners
+// again.
+void swapHalves(TriangleMesh& mesh, const std::vector<Index>& triangles) {
   for (std::size_t i = 0; i + 1 < triangles.size(); i += 2)
-    std::swap_ranges(repair.mesh.indices.begin() + std::ptrdiff_t(3 * triangles[i]),
-                     repair.mesh.indices.begin() + std::ptrdiff_t(3 * triangles[i] + 3),
-                     repair.mesh.indices.begin() + std::ptrdiff_t(3 * triangles[i + 1]));
+    std::swap_ranges(mesh.indices.begin() + std::ptrdiff_t(3 * triangles[i]),
+                     mesh.indices.begin() + std::ptrdiff_t(3 * triangles[i] + 3),
+                     mesh.indices.begin() + std::ptrdiff_t(3 * triangles[i + 1]));
+}
+
+// Turns the pieces that are inside out. Returns the number of their triangles.
+std::size_t turnPieces(TriangleMesh& mesh, const Diagnosis& diagnosis) {
+  const std::vector<Index> triangles = trianglesOf(diagnosis, isInsideOut);
+  turnOver(mesh, triangles);
+  if (mesh.isQuads) swapHalves(mesh, triangles);
+  return triangles.size();
+}
+
+void faceOutwards(ExactRepair& repair, const Diagnosis& diagnosis) {
+  repair.turned += turnPieces(repair.mesh, diagnosis);
+  repair.way = ExactRepair::Way::Closed;
 }
 
 // A corner of each closed piece of which nothing is used.
@@ -248,6 +256,14 @@ std::optional<ExactRepair> exactlyRepaired(const TriangleMesh& input, const Exac
   if (!result.madeAt.empty()) result.way = ExactRepair::Way::Made;
   result.crossingsBefore = before;
   return result;
+}
+
+bool faceOutwards(TriangleMesh& mesh) {
+  const BuiltMesh built = buildMesh(mesh);
+  const std::vector<char> isCrossed(mesh.triangleCount(), 0);
+  const std::vector<SurfacePiece> pieces = piecesOf(built, isCrossed).pieces;
+  if (std::none_of(pieces.begin(), pieces.end(), isInsideOut)) return false;
+  return turnPieces(mesh, diagnose(mesh)) > 0;
 }
 
 ExactRepair leftAlone(const TriangleMesh& input) {

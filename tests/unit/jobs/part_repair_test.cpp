@@ -15,6 +15,7 @@
 #include "support/hostile_shapes.h"
 #include "support/shapes.h"
 #include "support/soups.h"
+#include "support/volume_of.h"
 
 using namespace remesher;
 
@@ -94,6 +95,18 @@ TEST_CASE("part repair: what rounding makes meet itself becomes the sound origin
   RemeshOutcome broken = outcomeWith(twice);
   CHECK(inSoundPrecisionOf(twice, broken).mesh.triangleCount() == twice.triangleCount());
   CHECK(broken.warnings.empty());
+}
+
+TEST_CASE("part repair: bodies that come out inside out are turned, and cavities are not") {
+  TriangleMesh wall = shapes::turnedOver(shapes::icosphere(2));
+  for (Vec3& p : wall.positions) p *= 0.5;
+  const TriangleMesh hollow = soups::joined({shapes::icosphere(2), wall});
+  const TriangleMesh thin = shapes::turnedOver(soups::moved(shapes::tetrahedron(), {5, 0, 0}));
+  RemeshOutcome outcome = outcomeWith(soups::joined({hollow, thin}));
+  const TriangleMesh made = inSoundPrecisionOf(shapes::icosphere(3), outcome).mesh;
+  CHECK(shapes::volumeOf(made) ==
+        doctest::Approx(shapes::volumeOf(hollow) + shapes::volumeOf(shapes::tetrahedron())));
+  CHECK(outcome.warnings.empty());
 }
 
 TEST_CASE("part repair: a part has the lattice of the scene, and a part alone its own") {
