@@ -381,7 +381,11 @@ RepairedMesh repairSurface(const TriangleMesh& input, const RemeshOptions& optio
   requireMemory(input, options);
   const TriangleMesh ordered = inCanonicalOrder(input);
   RepairedMesh result = repaired(ordered, options);
-  if (result.isRemade) result.report.selfIntersections[0] = selfIntersections(input).size();
+  if (result.isRemade) {
+    result.report.selfIntersections[0] = selfIntersections(input).size();
+    // A body of a few triangles, thinner than single precision tells, may come out inside out.
+    if (faceOutwards(result.mesh)) fires("repair: the lattice's bodies turned");
+  }
   result.mesh = isSameMesh(result.mesh, ordered) ? input : inGivenOrder(result.mesh, input);
   return result;
 }

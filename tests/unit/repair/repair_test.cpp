@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <string>
@@ -200,6 +201,22 @@ TEST_CASE("repair: auto says why it does what it does") {
   TriangleMesh open = ball;
   open.indices.resize(open.indices.size() - 9);
   CHECK(mended(open).report.reason == "closed");
+}
+
+TEST_CASE("repair: bodies thinner than coordinates tell do not come out inside out") {
+  TriangleMesh front = shapes::grid(3, 3);
+  for (Vec3& p : front.positions) {
+    p /= 3;
+    const Vec3 wave(p.x(), p.y(), 0.1 * std::sin(4 * p.x()) * std::cos(3 * p.y()));
+    p = inSingle(wave + Vec3(10.5415, 0, 0), {});
+  }
+  TriangleMesh twice = soups::joined({front, shapes::turnedOver(front)});
+  twice.isSingle = true;
+  RemeshOptions options;
+  options.repair = Repair::Solid;
+  const RepairedMesh result = repairSurface(twice, options);
+  CHECK(result.isRemade);
+  CHECK(faultsOf(result.mesh).insideOut == 0);
 }
 
 TEST_CASE("repair: only sheets, all to be dropped, are nothing") {
