@@ -103,6 +103,28 @@ TEST_CASE("remesher: a surface is remeshed alike wherever it is and however its 
   isAlike(turned);
 }
 
+TEST_CASE("remesher: flat sides get the same quads wherever they are and in every unit of length") {
+  const auto quadsOf = [](const TriangleMesh& mesh, Index vertices) {
+    RemeshOptions options = toVertices(vertices);
+    options.quads = true;
+    return remesh(mesh, options).mesh;
+  };
+  const auto areSame = [](const TriangleMesh& one, const TriangleMesh& other) {
+    REQUIRE(one.positions.size() == other.positions.size());
+    CHECK(one.indices == other.indices);
+    for (std::size_t v = 0; v < one.positions.size(); ++v)
+      CHECK((one.positions[v] - other.positions[v]).norm() < 1e-6);
+  };
+  const TriangleMesh cube = shapes::cube(1);
+  const Vec3 by(-123, -1398712, 191);
+  areSame(quadsOf(cube, 20), soups::moved(quadsOf(soups::moved(cube, by), 20), -by));
+  TriangleMesh finer = shapes::cube(3);
+  for (Vec3& p : finer.positions) p = (1e6 * p).array().round() / 1e6;
+  TriangleMesh smaller = finer;
+  for (Vec3& p : smaller.positions) p = (1e6 * p).array().round() / 1e10;
+  areSame(quadsOf(finer, 26), shapes::scaled(quadsOf(smaller, 26), 1e4));
+}
+
 TEST_CASE("hostile: a wild point takes nothing from the rest, and is said") {
   for (const double radii : {10.0, 1e6}) {
     CAPTURE(radii);

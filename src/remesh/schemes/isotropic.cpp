@@ -121,11 +121,12 @@ Made makeMesh(Run& run, const Prepared& original, const RunSettings& settings,
 
 }  // namespace
 
-// Results in double precision are made as if they had to be single: a mesh is the same in every
-// format of file, up to its last digits.
+// Results in double precision are made as if they had to be single, so that formats of files make
+// hardly a difference. They are rounded where they are worked on: else a model of flat sides, whose
+// triangles nearly meet, would get another mesh elsewhere or in another unit of length.
 Grain grainOf(const TriangleMesh& input) {
   constexpr double kHalfUlp = 0x1p-24, kHalfLeast = 0x1p-150;
-  const Frame frame = input.isSingle ? input.frame : nearFrame(input.frame);
+  const Frame frame = input.isSingle ? input.frame : Frame{};
   double farthest = 0;
   for (const Vec3& p : input.positions)
     farthest = std::max(farthest, frame.written(p).cwiseAbs().maxCoeff());
