@@ -4,7 +4,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { remeshFile } from 'remesher';
+import { remeshFile, repairFile } from 'remesher';
 
 import { addChart, layOut, texels } from '../support/atlas_torus.js';
 import { baked, forEachTexel } from '../support/baked.js';
@@ -51,6 +51,20 @@ const mended = (file, options) => remeshFile(file.bytes,
 
 const isPainted = ({ report }) =>
   report.warnings.some(({ code }) => code === 'TEXTURES_PAINTED');
+
+test('a sound glTF comes back from repair byte for byte, however its buffer ends', async () => {
+  const { positions, indices } = torus({ columns: 12, rows: 8 });
+  for (const ending of [4, 8]) {
+    const maker = new GltfMaker();
+    maker.show([{ attributes: { POSITION: maker.add(positions, 'VEC3') },
+      indices: maker.addIndices(indices) }]);
+    maker.addView(new Uint8Array(ending));
+    for (const { name, bytes } of [maker.glb(), maker.embedded()]) {
+      const repaired = await repairFile(bytes, { name, repair: 'auto' });
+      assert.deepEqual(repaired.bytes, bytes, `${name}, ${ending}`);
+    }
+  }
+});
 
 test('a body without its inner shell keeps its texture, exactly', async () => {
   const result = await mended(shells(), { repair: 'auto' });

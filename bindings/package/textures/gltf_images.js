@@ -228,6 +228,7 @@ export function withImages(files, encoded) {
     if (!/\.gl(b|tf)$/i.test(name)) return { name, bytes };
     const { text, chunk } = openContainer(bytes);
     const tree = JSON.parse(text);
+    if (paintingsIn(tree).length === 0) return { name, bytes }; // not even padded anew
     if (chunk) return { name, bytes: embed(tree, chunk, encoded) };
     for (const number of paintingsIn(tree)) named.add(number);
     return { name, bytes: namedIn(tree, beside) };
