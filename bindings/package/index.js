@@ -40,6 +40,8 @@ import * as platform from './platform_browser.js';
  * @typedef {import('./base/messages.js').BooleanOperation} BooleanOperation
  * @typedef {import('./base/messages.js').BooleanReport} BooleanReport
  * @typedef {import('./base/messages.js').BooleanSummary} BooleanSummary
+ * @typedef {import('./base/messages.js').Card} Card
+ * @typedef {import('./base/messages.js').CardSide} CardSide
  * @typedef {import('./base/messages.js').Compression} Compression
  * @typedef {import('./base/messages.js').Distances} Distances
  * @typedef {import('./base/messages.js').EdgeSummary} EdgeSummary

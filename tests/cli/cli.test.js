@@ -75,8 +75,8 @@ test('--json is the whole report and nothing else on standard output', () => {
   assert.equal(status, 0, stderr);
   assert.equal(stderr, '');
   const report = JSON.parse(stdout);
-  assert.deepEqual(Object.keys(report).sort(), ['chosen', 'diagonal', 'fidelity', 'input',
-    'memory', 'output', 'phases', 'prefer', 'stopped', 'timings', 'version', 'warnings']);
+  assert.deepEqual(Object.keys(report).sort(), ['card', 'chosen', 'diagonal', 'fidelity',
+    'input', 'memory', 'output', 'phases', 'prefer', 'stopped', 'timings', 'version', 'warnings']);
   assert.equal(report.output.vertices, 600);
   assert.equal(report.chosen.rule, 'rounds');
   assert.ok(report.fidelity.hausdorff > 0 && report.fidelity.hausdorff < 2);

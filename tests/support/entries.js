@@ -17,6 +17,7 @@ const taken = {
   'remesher/pool': ['Pool'],
   'remesher/options': ['optionTable'],
   'remesher/formats': ['formats'],
+  'remesher/card': ['cardText'],
   'remesher/gunzip': ['gunzip'],
   'remesher/codecs': ['codecs'],
   three: ['TorusGeometry'],
@@ -24,7 +25,7 @@ const taken = {
 };
 
 /** The line that the program prints. */
-export const expected = '30 8 90 25 40 true glb true true true';
+export const expected = '30 8 90 25 40 true glb true true true true';
 
 /** The package's entries that the program imports. */
 export const entries = Object.keys(taken).filter((name) => name.startsWith('remesher'));
@@ -50,6 +51,7 @@ const failed = await pool.inspect({}).catch((error) => error instanceof RemeshEr
 pool.close();
 const line = [own.report.output.vertices, input.triangles, report.output.vertices,
   written.getCount(), pooled.report.output.vertices, optionTable.length > 10, formats[0], failed,
+  typeof cardText === 'function',
   typeof gunzip === 'function', typeof codecs.worker === 'function'].join(' ');`;
 
 /**

@@ -62,14 +62,16 @@ import {
 
 /** @typedef {Pick<RemeshOptions, 'compress' | 'units'>} ConvertOptions */
 
+/** @typedef {{ card: import('../base/messages.js').Card }} Carded */
+
 /**
- * @typedef {Omit<ConvertFileResult, 'warnings' | 'compression'> & Pick<RemeshResult, 'report'>}
- *   RemeshFileResult
+ * @typedef {Omit<ConvertFileResult, 'warnings' | 'compression'>
+ *   & { report: RemeshResult['report'] & Carded }} RemeshFileResult
  */
 
 /**
- * @typedef {Omit<ConvertFileResult, 'warnings' | 'compression'> & Pick<RepairResult, 'report'>}
- *   RepairFileResult
+ * @typedef {Omit<ConvertFileResult, 'warnings' | 'compression'>
+ *   & { report: RepairResult['report'] & Carded }} RepairFileResult
  */
 
 /**

@@ -363,7 +363,7 @@
 /**
  * `chosen` says whether the mesh was kept or repaired.
  * @typedef {Inspection & { output: MeshReport, repair: RepairSummary, dropped?: DropSummary,
- *   compression?: Compression, chosen: Chosen | Chosen[] }}
+ *   compression?: Compression, chosen: Chosen | Chosen[], card?: Card }}
  *   RepairReport
  */
 
@@ -430,6 +430,39 @@
  */
 
 /**
+ * The languages of a report card.
+ * @typedef {'en' | 'de' | 'fr'} CardLanguage
+ */
+
+/**
+ * One side of a report card.
+ * @typedef {object} CardSide
+ * @property {number} bytes Of the file and of those that it refers to.
+ * @property {number} triangles Two for each quad.
+ * @property {number} [quads] Quads, if there are any.
+ * @property {number} vertices Distinct positions.
+ * @property {number} pieces Connected components.
+ * @property {boolean} closed Whether no edge has a triangle on one side only.
+ * @property {number} openEdges Edges that have.
+ * @property {number} nonManifoldEdges Edges of more than two triangles.
+ * @property {number} [selfIntersections] Triangles that meet others, where a repair looked for
+ *   them.
+ */
+
+/**
+ * A run of a file in a few figures, before and after. `remesher/card` has it in words.
+ * @typedef {object} Card
+ * @property {CardSide} before What was read.
+ * @property {CardSide} after What was written; of levels of detail the finest, and the bytes of
+ *   all.
+ * @property {{ percent: number, length: number, unit?: string }} [distance] The largest distance
+ *   between them, in percent of the original's diagonal and in the model's unit; not known after a
+ *   repair alone that changed something.
+ * @property {number} [hidden] Triangles left out because nobody sees them, if that was asked for.
+ * @property {number} [coverage] Percent of the square that the charts of new textures cover.
+ */
+
+/**
  * The options that a preset stood for, by their names.
  * @typedef {Record<string, string | number | boolean>} PresetOptions
  */
@@ -437,7 +470,7 @@
 /**
  * @typedef {Inspection & RunReport & { preset?: PresetOptions, repair?: RepairSummary,
  *   dropped?: DropSummary, conform?: ConformSummary, takesOver?: Switch,
- *   compression?: Compression, lods?: RemeshReport[] }} RemeshReport
+ *   compression?: Compression, lods?: RemeshReport[], card?: Card }} RemeshReport
  */
 
 export {};

@@ -6,9 +6,11 @@ import { readFile } from 'node:fs/promises';
 import { basename, extname } from 'node:path';
 
 import { Api } from '../api/api.js';
+import { cardText } from '../card.js';
 import { helpText, parseCommandLine } from './cli_arguments.js';
 import { RemeshError } from '../base/errors.js';
 import { withoutGz } from '../base/formats.js';
+import { requireOutput, writeOutput } from '../files/output.js';
 import { isFolder } from './plan.js';
 import { platform } from './platform.js';
 import { reportInWords } from './report_in_words.js';
@@ -28,10 +30,21 @@ async function report({ command, json, quiet }, result) {
 }
 
 /** @param {CommandLine} line */
+const placeOfCard = ({ card, inputs, force }) => ({ path: card, inputs, force });
+
+/** @param {CommandLine} line @param {{ report: any }} result */
+async function writeCard(line, { report: { card } }) {
+  const text = cardText(card, { title: basename(line.inputs[0]) });
+  await writeOutput([{ name: basename(line.card), bytes: new TextEncoder().encode(text) }],
+    placeOfCard(line));
+}
+
+/** @param {CommandLine} line */
 async function runOne(line) {
-  const { command, inputs: [input, operand], output, format, quiet, root, force, guides,
+  const { command, inputs: [input, operand], output, format, card, quiet, root, force, guides,
     options } = line;
   if (command === 'help' || command === 'version') return;
+  if (card) requireOutput(placeOfCard(line));
   const isPiped = output === '-';
   const plain = withoutGz(basename(input));
   const outputName = isPiped ? `${basename(plain, extname(plain))}.${format}` : basename(output);
@@ -46,6 +59,7 @@ async function runOne(line) {
       'Use --format glb, or write to a file.');
   }
   if (isPiped) await print(result.files[0].bytes);
+  if (card) await writeCard(line, result);
   await report(line, result);
 }
 

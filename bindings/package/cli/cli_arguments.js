@@ -26,6 +26,7 @@ import {
  * @property {string} onto the file that remesher bake paints onto
  * @property {string} output
  * @property {string} format for output to '-' and to a folder
+ * @property {string} card the file for the report card; empty: none
  * @property {string | undefined} root the folder below which a model may name other files
  * @property {boolean} force
  * @property {boolean} skipExisting
@@ -44,6 +45,7 @@ const ownFlags = [
   { flag: '--format F', help: `${inWords(formats)}: the format written to - or to a folder` },
   { flag: '--root DIR', help: 'the folder below which a model may name other files (default: '
     + 'the model’s own)' },
+  { flag: '--card FILE.md', help: 'write a page on the run: what was before and after' },
   { flag: '--jobs N', help: 'many files: so many at once (default: the cores)' },
   { flag: '--force', help: 'replace files beside the output, and of many files the results, that '
     + 'are there already' },
@@ -63,7 +65,7 @@ const tableFlags = new Map(optionTable.flatMap((option) => {
   const flags = [flagOf(option), option.alias].filter((flag) => flag !== undefined);
   return flags.map((flag) => /** @type {const} */ ([flag, option]));
 }));
-const valueFlags = ['-o', '--output', '--onto', '--format', '--root', '--jobs'];
+const valueFlags = ['-o', '--output', '--onto', '--format', '--card', '--root', '--jobs'];
 const plainFlags = ['--force', '--skip-existing', '--json', '--quiet', '-h', '--help', '--version'];
 
 /** @param {string} message @param {string} [hint] */
@@ -138,6 +140,7 @@ function setOwn(line, flag, value) {
   if (flag === '-o' || flag === '--output') line.output = value;
   if (flag === '--onto') line.onto = value;
   if (flag === '--format') line.format = formatFrom(value);
+  if (flag === '--card') line.card = value;
   if (flag === '--root') line.root = value;
   if (flag === '--jobs') line.jobs = jobsFrom(value);
   if (flag === '--force') line.force = true;
@@ -193,6 +196,19 @@ function checkAlone({ skipExisting, jobs }) {
   if (skipExisting || jobs > 0) {
     throw wrongUse(`${jobs > 0 ? '--jobs' : '--skip-existing'} is for many files.`,
       'Let the output end in /.');
+  }
+}
+
+/** @param {CommandLine} line */
+function checkCard({ command, card, output }) {
+  if (card === '' || command === 'help' || command === 'version') return;
+  if (command !== 'remesh' && command !== 'repair') {
+    throw wrongUse(`--card is of files that are remeshed or repaired: remesher ${command} has `
+      + 'none.');
+  }
+  if (isFolder(output)) throw wrongUse('--card is of one file.', 'With --json each has its card.');
+  if (!/\.(md|markdown|txt)$/i.test(card)) {
+    throw wrongUse(`The card ${legible(card)} is a text.`, 'Let it end in .md.');
   }
 }
 
@@ -279,8 +295,9 @@ function checkOutput(line) {
 export function parseCommandLine(words) {
   /** @type {CommandLine} */
   const line = {
-    command: 'remesh', inputs: [], onto: '', output: '', format: '', root: undefined, force: false,
-    skipExisting: false, jobs: 0, json: false, quiet: false, guides: undefined, options: {},
+    command: 'remesh', inputs: [], onto: '', output: '', format: '', card: '', root: undefined,
+    force: false, skipExisting: false, jobs: 0, json: false, quiet: false, guides: undefined,
+    options: {},
   };
   const names = [];
   for (const { flag, value } of tokens(words)) {
@@ -296,6 +313,7 @@ export function parseCommandLine(words) {
   if (line.command === 'repair') line.options.repair ??= 'auto';
   checkOutput(line);
   if (line.inputs.length > 0) checkInputs(line);
+  checkCard(line);
   const label = (/** @type {Option} */ option) => flagOf(option) ?? option.name;
   const own = namesOf(line);
   if (own) {

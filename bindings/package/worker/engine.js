@@ -321,7 +321,8 @@ export class Engine {
     if (!outcome.files) return withTexturesListed(outcome, settled);
     const fileOf = (/** @type {Job} */ one) => ('file' in one ? one.file : undefined);
     return (await scripts.whole()).closed(await withTexturesListed(outcome, settled),
-      { packed: fileOf(job), opened: fileOf(settled), compress: compressionOf(job),
+      { isCarded: job.kind === 'remeshFile' || job.kind === 'repairFile',
+        packed: fileOf(job), opened: fileOf(settled), compress: compressionOf(job),
         units: 'options' in job ? job.options.units : undefined });
   }
 
