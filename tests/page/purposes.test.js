@@ -5,7 +5,7 @@ import { test } from 'node:test';
 
 import { ownChoices, presets, withPreset } from '../../web/model/presets.js';
 import { dialOf, firstDial, purposes, valuesFor } from '../../web/model/purposes.js';
-import { roundLength, scaleOf } from '../../web/model/units.js';
+import { lengthIn, roundLength, scaleOf, unitLike } from '../../web/model/units.js';
 
 test('a preset keeps the visitor’s own target, and not that of a purpose', () => {
   const choices = [{ vertices: 500 }, { ratio: 0.5 }, { edgeLength: 2, textures: 'keep' },
@@ -46,4 +46,14 @@ test('the number of a purpose is what it was set to, in the visitor’s unit', (
   assert.deepEqual(scaleOf(null, 0.1), { name: 'mm', size: 0.001 });
   assert.deepEqual(scaleOf(null, 40), { name: 'm', size: 1 });
   assert.deepEqual(scaleOf('in', 40), { name: 'in', size: 1 });
+});
+
+test('a file without a unit is in millimetres where that is plain, and never in metres', () => {
+  assert.deepEqual([0.02, 1.8, 9.9, 10, 100, 9000, 20_000].map(unitLike),
+    ['none', 'none', 'none', 'mm', 'mm', 'mm', 'none']);
+  for (const side of [0.02, 1.8, 100, 20_000]) {
+    assert.doesNotMatch(lengthIn(scaleOf(unitLike(side), side), side), / m$/);
+  }
+  assert.equal(lengthIn(scaleOf('none', 3), 0.25), '0.25 units');
+  assert.equal(lengthIn(scaleOf('mm', 100), 0.25), '0.25 mm');
 });

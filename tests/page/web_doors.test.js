@@ -72,6 +72,8 @@ test('a unit is kept with the model, and numbers follow it; glTF is metres', asy
   const bytes = stl(ring);
   await drop(page, { 'inch.stl': bytes });
   await opened(page, 'inch.stl');
+  assert.equal(await page.inputValue('#unit'), 'none', 'nothing says it');
+  assert.match(await verdict(page), / units \(/);
   await page.selectOption('#unit', 'in');
   await page.click('#purpose-simulation');
   assert.match(await page.textContent('.dial label'), /, in$/);
@@ -80,7 +82,8 @@ test('a unit is kept with the model, and numbers follow it; glTF is metres', asy
   // Experts see lengths in the same unit, and percentages as lengths, too.
   assert.match(await page.textContent('#target-kind option[value=edgeLength]'), /, in$/);
   assert.equal(await page.textContent('label[for=option-maxEdge] .unit'), ', in');
-  assert.match(await page.textContent('label[for=option-maxError] .unit'), /; 1 % = 0\.0808 in$/);
+  assert.match(await page.textContent('label[for=option-maxError] .unit'),
+    / \(1 % = 0\.0808 in\)$/);
   await page.click('#expert > summary');
   await page.click('.command > summary');
   assert.match(await page.textContent('.command code >> nth=0'), / --units in$/);
@@ -91,6 +94,11 @@ test('a unit is kept with the model, and numbers follow it; glTF is metres', asy
   await drop(page, { 'inches.3mf': written.bytes });
   await opened(page, 'inches.3mf');
   assert.equal(await page.inputValue('#unit'), 'in', 'the file says so');
+  const large = { ...ring, positions: ring.positions.map((x) => 20 * x) };
+  await drop(page, { 'large.stl': stl(large) });
+  await opened(page, 'large.stl');
+  assert.equal(await page.inputValue('#unit'), 'mm');
+  assert.match(await page.textContent('#model-size'), /^112 × 112 × 32 .*assumed$/);
   await drop(page, { 'small.glb': glbBytes(torus(24, 12)) });
   await opened(page, 'small.glb');
   assert.match(await page.textContent('#model-size'), / m$/);

@@ -56,6 +56,7 @@ export async function eachPurpose(page, [width, height]) {
   await drop(page, { 'ring.stl': stl(ring) });
   await opened(page, 'ring.stl');
   assert.match(await page.textContent('#model-size'), /^5\.6 × 5\.6 × 1\.6/);
+  await page.selectOption('#unit', 'mm');
   assert.ok(await beside(page) <= 0);
 
   const sound = await choose(page, 'print');

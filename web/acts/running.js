@@ -15,7 +15,7 @@ import { isRepairOnly } from '../model/purposes.js';
 import { reportView } from '../report/report_view.js';
 import { takeawayView } from '../report/takeaway.js';
 import { verdictInShort, verdictView } from '../report/verdict.js';
-import { scaleIn, unitOption } from './measures.js';
+import { unitOption } from './measures.js';
 import { downloadFormat, downloadLabel, savingActs } from './saving.js';
 
 /** @typedef {import('./page.js').Page} Page */
@@ -68,7 +68,7 @@ function showVerdict(page) {
   const format = downloadFormat(model.name);
   const size = shown.sizeIn(format);
   const { triangles, quads } = shown.report.output;
-  const judged = { report: shown.report, values: shown.values, scale: scaleIn(page),
+  const judged = { report: shown.report, values: shown.values, scale: surveying.scale,
     diagonal: surveying.diagonal, largest: largestOf(page, shown),
     edges: surveying.distances?.edges, format, size, original: model.size };
   byId('verdict', HTMLElement).replaceChildren(verdictView(judged, {
@@ -117,7 +117,7 @@ function showDistances(page) {
   const { distances, diagonal } = surveying;
   if (!box || !distances) return;
   box.hidden = false;
-  box.replaceChildren(...distanceView(distances, { diagonal, scale: scaleIn(page) }, {
+  box.replaceChildren(...distanceView(distances, { diagonal, scale: surveying.scale }, {
     onVisit: () => surveying.visitLargest(),
     onMaxError: (error, isChosen) => panel.ask('maxError', error, isChosen),
   }));

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Saves a result as files, a report or a picture, and copies texts such as its command line.
+import { cardText } from 'remesher/card';
 import { formats } from 'remesher/formats';
 import { element } from '../base/dom.js';
 import { count, fileSize, length } from '../base/format.js';
-import { t } from '../base/i18n.js';
+import { language, t } from '../base/i18n.js';
 import { saidAs } from '../base/said.js';
 import { packed } from '../files/archives.js';
 import { extensionOf } from '../files/files.js';
@@ -83,6 +84,20 @@ async function copy(text) {
   showNews(t('copied'));
 }
 
+/** The report card of a result with what the page knows better: the size of the file in the format
+ * that is saved first, the unit, and the distance after a repair alone.
+ * @param {Page} page @param {Result} result */
+function cardOf({ session: { model, shown }, surveying }, result) {
+  const { card } = result.report;
+  const { scale: { name, size }, diagonal, distances } = surveying;
+  const percent = card.distance?.percent
+    ?? (result === shown && distances ? 100 * distances.largest / diagonal : undefined);
+  const bytes = result.sizeIn(downloadFormat(model?.name ?? '')) ?? card.after.bytes;
+  return { ...card, after: { ...card.after, bytes },
+    ...(percent === undefined ? {} : { distance: { percent,
+      length: percent / 100 * diagonal / size, ...(name ? { unit: name } : {}) } }) };
+}
+
 /** @param {Page} page @param {Result} result */
 export function savingActs(page, result) {
   const { session } = page;
@@ -92,6 +107,11 @@ export function savingActs(page, result) {
     onLevels: () => page.busy(async () => {
       await hand(await session.levels(result, levelCount), result.nameIn('zip', 'lods'));
     }),
+    onCard: () => {
+      const text = cardText(cardOf(page, result),
+        { language: language(), title: session.model?.name });
+      save({ name: result.nameIn('md', 'card'), bytes: new TextEncoder().encode(text) });
+    },
     onReport: () => {
       const text = `${JSON.stringify(result.report, null, 2)}\n`;
       save({ name: result.nameIn('json', 'report'), bytes: new TextEncoder().encode(text) });

@@ -9,6 +9,7 @@ import { byId } from '../base/dom.js';
 import { t } from '../base/i18n.js';
 import { showFaultNote, showLandmarks } from '../report/landmarks.js';
 import { showLegend, showProbe } from '../report/legend.js';
+import { knownUnit, scaleOf, unitLike } from '../model/units.js';
 import { announce, isAbort } from '../panel/messages.js';
 import { Survey } from '../survey/survey.js';
 import { ramp } from '../view/ramp.js';
@@ -59,6 +60,19 @@ export class Surveying {
 
   get diagonal() {
     return this.extent?.length() || 1;
+  }
+
+  /** How lengths of the model are said. */
+  get scale() {
+    const { session } = this.#page;
+    if (!session.model || session.isGltf) return scaleOf(null, this.diagonal);
+    const longest = Math.max(...this.extent?.toArray() ?? [0]);
+    return scaleOf(knownUnit(session) ?? unitLike(longest), this.diagonal);
+  }
+
+  /** How distances are said. */
+  get #measure() {
+    return { diagonal: this.diagonal, scale: this.scale };
   }
 
   /** Measures the original, also where it is not shown. */
@@ -257,7 +271,7 @@ export class Surveying {
   #showLegend() {
     const largest = this.distances?.largest;
     showLegend(this.#page.stage.shading, {
-      distance: largest === undefined ? null : { largest, diagonal: this.diagonal },
+      distance: largest === undefined ? null : { largest, ...this.#measure },
       faces: this.#page.stage.viewer?.faces ?? [],
     });
   }
@@ -290,7 +304,7 @@ export class Surveying {
       overlays.setLines('probe', Float32Array.from(corners.flatMap((corner, i) =>
         [...corner, ...corners[(i + 1) % corners.length]])));
     }
-    showProbe(pick, this.diagonal);
+    showProbe(pick, this.#measure);
     viewer.draw();
   }
 }

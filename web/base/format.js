@@ -29,10 +29,17 @@ export const degrees = (value) => `${fixed(value, 1)}°`;
 /** @param {number} value a part of a whole, in percent */
 export const share = (value) => `${fixed(value, 1)} %`;
 
+/** @param {number} value in percent */
+export const wholePercent = (value) => `${fixed(value, 0)} %`;
+
+/** Percent that four digits after the point can show: what is less is rounding. */
+export const leastShown = 0.0001;
+
 /** Three significant digits, never in exponents: 0.0131 %, 90.6 %.
  * @param {number} value */
 export function percent(value) {
   if (!value) return '0 %';
+  if (Math.abs(value) < leastShown) return `< ${fixed(leastShown, 4)} %`;
   const digits = Math.max(0, 2 - Math.floor(Math.log10(Math.abs(value))));
   return `${fixed(value, Math.min(4, digits))} %`;
 }

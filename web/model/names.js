@@ -3,8 +3,8 @@
 // was remeshed, as in cadsoup-repaired.stl, scan-repaired-5000.stl and horse-quads-2000.glb.
 
 /** The report on a result; of a repair alone it has no distances.
- * @typedef {import('remesher').Inspection & { output: import('remesher').MeshReport }
- *   & Partial<import('remesher').RemeshReport>} Report */
+ * @typedef {import('remesher').Inspection & { output: import('remesher').MeshReport,
+ *   card: import('remesher').Card } & Partial<import('remesher').RemeshReport>} Report */
 
 /** Whether the repair that was asked for changed the surface.
  * @param {Pick<Report, 'repair'>} report */

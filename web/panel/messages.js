@@ -27,7 +27,8 @@ export function showError(error) {
   const { text, original } = saidAs('fault', code, message || t('error.unknown'));
   box.append(element('strong', {}, text));
   if (original) box.append(element('small', { lang: 'en' }, original));
-  if (hint) box.append(element('span', original ? { lang: 'en' } : {}, hint));
+  if (hint) box.append(original ? element('small', { lang: 'en' }, hint)
+    : element('span', {}, hint));
   box.scrollIntoView({ block: 'nearest' });
 }
 

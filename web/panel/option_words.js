@@ -2,7 +2,7 @@
 // Names and explanations of options in the visitor's language, else the package's English ones.
 import { optionTable, targetNames } from 'remesher/options';
 import { length, sentence, words } from '../base/format.js';
-import { textIfAny } from '../base/i18n.js';
+import { t, textIfAny } from '../base/i18n.js';
 import { isRepairOnly } from '../model/purposes.js';
 
 /** @typedef {import('remesher/options').Option} Option */
@@ -25,15 +25,15 @@ const namedHere = (text) => text.replace(/--[a-z][a-z-]*/g, (flag) => {
 /** @param {Option} option @param {string} choice */
 export const choiceName = ({ name }, choice) => textIfAny(`choice.${name}.${choice}`) ?? choice;
 
-/** The unit of a model's lengths, and its diagonal.
+/** The unit of a model's lengths, empty for none, and its diagonal.
  * @typedef {{ unit: string, diagonal: number }} Lengths */
 
 /** @param {Option} option @param {Lengths} [lengths] where they are known */
 export function optionUnit({ unit }, lengths) {
-  if (lengths && unit === 'model units') return lengths.unit;
+  if (lengths?.unit && unit === 'model units') return lengths.unit;
   const own = unit && (textIfAny(`unit.${unit}`) ?? unit);
   if (!lengths || unit !== '% of the diagonal') return own;
-  return `${own}; 1 % = ${length(lengths.diagonal / 100)} ${lengths.unit}`;
+  return `${own} (1 % = ${length(lengths.diagonal / 100)} ${lengths.unit || t('unit.some')})`;
 }
 
 /** The purpose and the chosen options except the target, in one line.

@@ -3,8 +3,9 @@
 // to allow less: dragging the handle sets the largest error.
 import { distanceColors } from '../base/colors.js';
 import { element } from '../base/dom.js';
-import { length, percent } from '../base/format.js';
+import { percent } from '../base/format.js';
 import { t } from '../base/i18n.js';
+import { distanceIn, lengthIn } from '../model/units.js';
 
 /** @typedef {import('../survey/surface.js').Distances} Distances */
 /** diagonal: of the original; scale: how its lengths are said.
@@ -25,15 +26,15 @@ function bars(bins) {
  * @param {Distances} distances @param {Measure} measure
  * @param {{ onVisit: () => void, onMaxError: (percent: number, isChosen: boolean) => void }} acts
  */
-export function distanceView({ bins, largest }, { diagonal, scale }, { onVisit, onMaxError }) {
-  const inUnit = (/** @type {number} */ value) => `${length(value / scale.size)} ${scale.name}`;
+export function distanceView({ bins, largest }, measure, { onVisit, onMaxError }) {
+  const { diagonal, scale } = measure;
   const most = 100 * largest / diagonal;
   const value = element('output', { htmlFor: 'error-handle' }, '–');
   const handle = element('input', { id: 'error-handle', type: 'range', min: 0, max: 1,
     step: 0.01, value: '1', 'aria-label': t('distance.handle') });
   const change = (/** @type {boolean} */ isChosen) => () => {
     const error = Math.max(0.001, Number((handle.valueAsNumber * most).toPrecision(2)));
-    value.value = `${percent(error)} (${inUnit(error * diagonal / 100)})`;
+    value.value = `${percent(error)} (${lengthIn(scale, error * diagonal / 100)})`;
     onMaxError(error, isChosen);
   };
   handle.addEventListener('input', change(false));
@@ -46,6 +47,6 @@ export function distanceView({ bins, largest }, { diagonal, scale }, { onVisit, 
       element('span', {}, t('distance.handle'), ' ', value),
       element('button', { type: 'button', className: 'link', id: 'visit-largest',
         onclick: onVisit }, t('distance.largest',
-        { distance: `${inUnit(largest)} (${percent(most)})` }))),
+        { distance: distanceIn(largest, measure) }))),
   ];
 }

@@ -2,8 +2,9 @@
 // The legend of the colours on the stage, and the figures of the face under the pointer.
 import { angleColors, densityColors, distanceColors, gradient } from '../base/colors.js';
 import { byId, element } from '../base/dom.js';
-import { degrees, length, percent } from '../base/format.js';
+import { degrees, length } from '../base/format.js';
 import { t } from '../base/i18n.js';
+import { distanceIn } from '../model/units.js';
 
 /** @typedef {import('../survey/picking.js').Pick} Pick */
 
@@ -28,18 +29,15 @@ function angleBar(faces) {
     ? [...bar(t('report.angles'), angleColors, triangles), ofQuads[0], ofQuads[2]] : ofQuads;
 }
 
-/** A length in model units and in percent of the model's diagonal.
- * @param {number} value @param {number} diagonal */
-const lengthInWords = (value, diagonal) =>
-  `${length(value)} (${percent(100 * value / diagonal)})`;
+/** diagonal: of the original; scale: how its lengths are said.
+ * @typedef {{ diagonal: number, scale: import('../model/units.js').Scale }} Measure */
 
-/** @param {number} largest distance @param {number} diagonal */
-const distanceMarks = (largest, diagonal) => ['0', lengthInWords(largest / 2, diagonal),
-  lengthInWords(largest, diagonal)];
+/** @param {number} largest distance @param {Measure} measure */
+const distanceMarks = (largest, measure) => ['0', distanceIn(largest, measure)];
 
 /**
  * @param {import('../view/viewer.js').Shading} shading
- * @param {{ distance: { largest: number, diagonal: number } | null,
+ * @param {{ distance: { largest: number } & Measure | null,
  *   faces: import('../view/viewer.js').Faces[] }} known distance: null while it is measured;
  *   faces: the kinds shown
  */
@@ -49,22 +47,23 @@ export function showLegend(shading, { distance, faces }) {
     angles: () => angleBar(faces),
     density: () => bar(t('density'), densityColors, [t('density.low'), t('density.high')]),
     distance: () => (distance ? bar(t('distance'), distanceColors,
-      distanceMarks(distance.largest, distance.diagonal)) : [t('distance.measuring')]),
+      distanceMarks(distance.largest, distance)) : [t('distance.measuring')]),
   };
   const make = parts[/** @type {'angles'} */ (shading)];
   box.replaceChildren(...(make?.() ?? []));
   box.hidden = !make;
 }
 
-/** @param {Pick | null} pick @param {number} diagonal */
-export function showProbe(pick, diagonal) {
+/** @param {Pick | null} pick @param {Measure} measure */
+export function showProbe(pick, measure) {
   const box = byId('probe', HTMLElement);
   box.hidden = !pick;
   if (!pick) return;
   box.textContent = [
     t('probe.angles', { angles: pick.angles.map(degrees).join(' ') }),
-    t('probe.edges', { lengths: pick.lengths.map(length).join(' ') }),
+    t('probe.edges', { lengths: pick.lengths
+      .map((side) => length(side / measure.scale.size)).join(' ') }),
     ...(pick.distance === null ? []
-      : [t('probe.distance', { distance: lengthInWords(pick.distance, diagonal) })]),
+      : [t('probe.distance', { distance: distanceIn(pick.distance, measure) })]),
   ].join('\n');
 }

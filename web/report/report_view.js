@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The report on a run: warnings, repairs, the mesh before and after, distances, and time.
+import { cardRows, cardWords } from 'remesher/card';
 import { valenceColors } from '../base/colors.js';
 import { element } from '../base/dom.js';
 import { count, decimal, degrees, duration, percent, share } from '../base/format.js';
-import { t, textIfAny } from '../base/i18n.js';
+import { language, t, textIfAny } from '../base/i18n.js';
 import { saidAs } from '../base/said.js';
 import { histogram } from './histogram.js';
 import { repairView } from './repair_view.js';
@@ -18,7 +19,6 @@ import { repairView } from './repair_view.js';
 
 /** @type {[TextKey, (mesh: MeshReport) => string][]} */
 const triangleRows = [
-  ['report.triangles', (mesh) => count(mesh.triangles)],
   ['report.meanAngle', (mesh) => degrees(mesh.minAngle.mean)],
   ['report.worstAngle', (mesh) => degrees(mesh.minAngle.worst)],
   ['report.goodAngles', (mesh) => share(mesh.minAngle.histogram[5])],
@@ -27,7 +27,6 @@ const triangleRows = [
 
 /** @type {[TextKey, (quads: QuadReport) => string][]} */
 const quadRows = [
-  ['report.quads', (quads) => count(quads.count)],
   ['report.irregular', (quads) => count(quads.irregular)],
   ['report.deviation', ({ angleDeviation }) => degrees(angleDeviation.mean)],
   ['report.deviationMost', ({ angleDeviation }) => degrees(angleDeviation.p95)],
@@ -44,8 +43,16 @@ function row(label, values) {
     ...values.map((value) => element('td', {}, value)));
 }
 
-/** The table rows on both meshes: rows on triangles or rows on quads. If only one of the meshes has
- * quads, the original's number of faces comes first, then the rows on the result.
+/** The lines of a report card that are not told elsewhere on the page. */
+const notOnCard = ['distance', 'bytes'];
+
+/** The rows that the report card has, too, in its words. @param {Report} report */
+function cardRowsOf({ card }) {
+  return cardRows(card, language()).filter(({ name }) => !notOnCard.includes(name))
+    .map(({ label, before, after }) => row(label, [before, after]));
+}
+
+/** The table rows on both meshes: rows on triangles or rows on quads.
  * @param {MeshReport} input @param {MeshReport} output */
 function meshRows(input, output) {
   const { quads } = output;
@@ -56,8 +63,7 @@ function meshRows(input, output) {
     [input.quads ? value(input.quads) : '', quads ? value(quads) : '']));
   const ofTriangles = triangleRows.map(([label, value]) => row(t(label),
     [input.quads ? '' : value(input), quads ? '' : value(output)]));
-  if (!quads) return [ofQuads[0], ...ofTriangles];
-  return input.quads ? ofQuads : [ofTriangles[0], ...ofQuads];
+  return quads ? ofQuads : ofTriangles;
 }
 
 const valences = /** @type {const} */ (['three', 'five', 'other']);
@@ -74,16 +80,16 @@ const dotKey = () => element('p', { className: 'key', id: 'dot-key' }, `${t('dot
 const columnHead = (title) => element('th', { scope: 'col' }, title);
 
 /** @param {Report} report */
-function table({ input, output, fidelity, timings }) {
+function table(report) {
+  const { input, output, fidelity, timings } = report;
   const time = Object.values(timings).reduce((sum, part) => sum + part, 0);
   return element('table', {},
     element('caption', { className: 'visually-hidden' }, t('report.compared')),
     element('thead', {}, element('tr', {}, element('td'), columnHead(t('original')),
       columnHead(t('result')))),
     element('tbody', {},
-      row(t('report.vertices'), [count(input.vertices), count(output.vertices)]),
-      ...meshRows(input, output),
-      ...(fidelity ? [row(t('report.largest'), ['', percent(fidelity.hausdorff)]),
+      ...cardRowsOf(report), ...meshRows(input, output),
+      ...(fidelity ? [row(cardWords[language()].distance, ['', percent(fidelity.hausdorff)]),
         row(t('report.rms'), ['', percent(fidelity.rms)])] : []),
       row(t('report.time'), ['', duration(time)])));
 }
@@ -124,9 +130,14 @@ function loss(report, onLargest) {
     element('button', { type: 'button', className: 'link', onclick: onLargest }, t('visit')));
 }
 
-/** Why the result is the mesh that it is, each sentence once. @param {Report} report */
-function choice({ chosen = [] }) {
-  const reasons = [chosen].flat().map(({ rule, reason }) => textIfAny(`chosen.${rule}`) ?? reason);
+/** Why the result is the mesh that it is, each sentence once; that isotropic triangles keep the
+ * shape is not said where they lost some of it, nor that a sound surface changed by being rounded.
+ * @param {Report} report */
+function choice(report) {
+  const chosen = [report.chosen ?? []].flat()
+    .filter(({ rule }) => (keepsShape(report) || !rule.startsWith('isotropic-near'))
+      && (report.repair?.reason !== 'sound' || rule !== 'repaired'));
+  const reasons = chosen.map(({ rule, reason }) => textIfAny(`chosen.${rule}`) ?? reason);
   return element('p', { className: 'quiet', id: 'chosen' }, [...new Set(reasons)].join(' '));
 }
 
@@ -144,7 +155,7 @@ export function reportView(report, { visitorOf, onLargest }) {
     choice(report),
     ...warnings.map((warning) => note(warning, visitorOf)),
     repairView(report.repair),
-    ...(output.quads ? [element('h2', {}, t('report.ofQuads'))]
+    ...(output.quads ? [element('h2', {}, cardWords[language()].quads)]
       : [element('h2', {}, t('report.angles')),
         histogramWithKey(input.minAngle.histogram, output.minAngle.histogram)]),
     table(report),

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
 // Everything to save of a result: files, report, picture, and the run as a command line and as
 // JavaScript, to copy with one click.
+import { cardWords } from 'remesher/card';
 import { formats } from 'remesher/formats';
 import { element } from '../base/dom.js';
-import { t } from '../base/i18n.js';
+import { language, t } from '../base/i18n.js';
 import { objOf } from '../model/guides.js';
 import { commandLine, javaScript } from '../model/snippets.js';
 
 /** @typedef {import('../model/session.js').Session} Session */
 /** @typedef {import('../model/result.js').Result} Result */
-/** @typedef {{ onFormat: (format: string) => void, onLevels: () => void, onReport: () => void,
- *   onPicture: (hasBackground: boolean) => void, onCopy: (text: string) => void,
+/** @typedef {{ onFormat: (format: string) => void, onLevels: () => void, onCard: () => void,
+ *   onReport: () => void, onPicture: (hasBackground: boolean) => void,
+ *   onCopy: (text: string) => void,
  *   onFile: (file: import('remesher').NamedBytes) => void }} SavingActs */
 
 /** @param {string} label @param {() => void} onclick @param {string} [className] */
@@ -49,6 +51,7 @@ export function takeawayView({ model }, result, acts) {
     element('h2', {}, t('download.others')),
     element('div', { className: 'downloads', role: 'group', 'aria-label': t('download') },
       ...files(acts.onFormat), button(t('download.levels'), acts.onLevels),
+      button(cardWords[language()].title, acts.onCard),
       button(t('download.report'), acts.onReport),
       button(t('download.picture'), () => acts.onPicture(true)),
       button(t('download.cutout'), () => acts.onPicture(false))),

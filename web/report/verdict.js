@@ -2,9 +2,10 @@
 // The verdict on a result in words: closed or not, how far from the original, how large, what was
 // repaired and what was lost, with places to look at.
 import { element } from '../base/dom.js';
-import { count, degrees, fileSize, length, number, percent } from '../base/format.js';
+import { count, degrees, fileSize, percent, wholePercent } from '../base/format.js';
 import { t } from '../base/i18n.js';
 import { wasRepaired } from '../model/names.js';
+import { distanceIn, lengthIn } from '../model/units.js';
 
 /** @typedef {import('../model/result.js').Report} Report */
 /** @typedef {import('../model/units.js').Scale} Scale */
@@ -30,18 +31,11 @@ const seenByAnyone = 0.5;
 const nothing = 1e-6;
 /** Degrees: smaller angles make solvers slow or wrong. */
 const smallAngle = 20;
-/** A file larger by this is not said in percent of the original's. */
-const most = 2;
+/** A file larger by this is not said in percent of the original's; percent within which a file is
+ * as large as the original. */
+const most = 2, alike = 0.5;
 /** Percent of the area: less is not worth a word. */
 const leastLoss = 0.005;
-
-/** A length in the visitor's unit. @param {number} value @param {Pick<Judged, 'scale'>} model */
-const inUnit = (value, { scale }) => `${length(value / scale.size)} ${scale.name}`;
-
-/** The same, and in percent of the diagonal. @param {number} value
- * @param {Pick<Judged, 'scale' | 'diagonal'>} model */
-const lengthInWords = (value, model) =>
-  `${inUnit(value, model)} (${percent(100 * value / model.diagonal)})`;
 
 /** @param {Judged} judged @param {VerdictActs} acts @returns {Line} */
 function closedLine({ report: { output }, values }, { onThicken }) {
@@ -61,14 +55,14 @@ function closedLine({ report: { output }, values }, { onThicken }) {
 
 /** @param {Judged} judged @param {VerdictActs} acts @returns {Line[]} */
 function distanceLines(judged, { onLargest }) {
-  const { report, largest, diagonal } = judged;
+  const { report, largest, diagonal, size, original } = judged;
   if (report.repair?.reason === 'sound' && !report.fidelity) {
-    return [{ kind: 'good', text: t('verdict.unchanged') }];
+    return [{ kind: 'good', text: t(size === original ? 'verdict.unchanged' : 'verdict.sound') }];
   }
   if (largest === null) return [];
   if (largest < nothing * diagonal) return [{ kind: 'good', text: t('verdict.exact') }];
   const isFar = 100 * largest / diagonal > seenByAnyone;
-  const distance = lengthInWords(largest, judged);
+  const distance = distanceIn(largest, judged);
   return [{ kind: isFar ? 'bad' : 'good',
     text: t(isFar ? 'verdict.far' : 'verdict.near', { distance }),
     act: { label: t('visit'), run: onLargest } }];
@@ -81,16 +75,19 @@ function facesLine({ report: { input, output } }) {
     return { kind: 'plain', text: t('verdict.quads', { count: count(quads.count),
       irregular: count(quads.irregular) }) };
   }
-  return { kind: 'plain', text: t('verdict.triangles',
-    { count: count(output.triangles), before: count(input.triangles) }) };
+  const { triangles } = output;
+  return { kind: 'plain', text: t(triangles === input.triangles ? 'verdict.sameTriangles'
+    : 'verdict.triangles', { count: count(triangles), before: count(input.triangles) }) };
 }
 
 /** @param {Judged} judged @returns {Line[]} */
 function sizeLines({ size, original, format }) {
   if (size === null) return [];
-  const share = number(size / original, { style: 'percent', maximumSignificantDigits: 2 });
-  return [{ kind: 'plain', text: t(size > most * original ? 'verdict.sizes' : 'verdict.size',
-    { size: fileSize(size), format: format.toUpperCase(), share, original: fileSize(original) }) }];
+  const share = 100 * size / original;
+  const kind = Math.abs(share - 100) < alike ? 'verdict.sameSize'
+    : size > most * original ? 'verdict.sizes' : 'verdict.size';
+  return [{ kind: 'plain', text: t(kind, { size: fileSize(size), format: format.toUpperCase(),
+    share: wholePercent(share), original: fileSize(original) }) }];
 }
 
 /** @param {Judged} judged @returns {Line[]} */
@@ -101,8 +98,8 @@ function solverLines({ report: { output }, values, scale, edges }) {
   const angles = { kind: worst >= smallAngle ? 'good' : 'bad',
     text: t('verdict.angle', { worst: degrees(worst), mean: degrees(mean) }) };
   if (!edges) return [angles];
-  return [angles, { kind: 'plain', text: t('verdict.edges', { mean: inUnit(edges.mean, { scale }),
-    least: inUnit(edges.least, { scale }), most: inUnit(edges.most, { scale }) }) }];
+  return [angles, { kind: 'plain', text: t('verdict.edges', { mean: lengthIn(scale, edges.mean),
+    least: lengthIn(scale, edges.least), most: lengthIn(scale, edges.most) }) }];
 }
 
 const counted = /** @type {const} */ (['holes', 'islands', 'shells', 'turned']);
@@ -122,7 +119,7 @@ function repairLines({ report, diagonal, scale }, { onPlace }) {
       { before: count(before), after: count(after) }) },
     { kind: 'bad', text: repair.lostBeyond > 0
       ? t('repair.far', { share: percent(repair.lost),
-        distance: lengthInWords(repair.lostBeyond * diagonal / 100, { scale, diagonal }) })
+        distance: distanceIn(repair.lostBeyond * diagonal / 100, { scale, diagonal }) })
       : t('repair.lost', { share: percent(repair.lost) }),
     act: z === undefined ? null : { label: t('visit'), run: () => onPlace([x, y, z]) } },
   ];
@@ -161,9 +158,9 @@ function lineView({ kind, text, act }) {
 
 /** @param {Judged} judged @param {VerdictActs} acts */
 export function verdictView(judged, acts) {
-  const lines = [closedLine(judged, acts), ...distanceLines(judged, acts), facesLine(judged),
-    ...solverLines(judged), ...sizeLines(judged), ...repairLines(judged, acts),
-    ...shapeLines(judged, acts), ...noteLines(judged, acts)];
+  const lines = [closedLine(judged, acts), ...distanceLines(judged, acts),
+    ...shapeLines(judged, acts), facesLine(judged), ...solverLines(judged), ...sizeLines(judged),
+    ...repairLines(judged, acts), ...noteLines(judged, acts)];
   return element('ul', {}, ...lines.map(lineView));
 }
 
@@ -174,7 +171,7 @@ export function verdictInShort(judged) {
   const { boundaryEdges, triangles, quads } = output;
   return [boundaryEdges ? t('short.open', { count: count(boundaryEdges) }) : t('short.closed'),
     ...(largest === null ? [] : [largest < nothing * diagonal ? t('short.exact')
-      : `≤ ${inUnit(largest, judged)}`]),
+      : `≤ ${lengthIn(judged.scale, largest)}`]),
     quads ? t('facts.quads', { count: count(quads.count) })
       : t('facts.triangles', { count: count(triangles) })].join(' · ');
 }

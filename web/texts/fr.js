@@ -44,7 +44,8 @@ export default {
   'fit': 'Cadrer',
   'noWebGL': 'Ce navigateur ne peut pas montrer de 3D ici. Le calcul et le téléchargement restent '
     + 'possibles.',
-  'drop': 'Déposez des modèles : GLB, glTF, OBJ, OFF, PLY ou STL, aussi en .gz, .zip ou dossiers, '
+  'drop': 'Déposez des modèles : GLB, glTF, OBJ, OFF, PLY, STL ou 3MF, aussi en .gz, .zip ou '
+    + 'dossiers, '
     + 'avec les fichiers dont ils ont besoin',
 
   'panel': 'Remaillage',
@@ -56,8 +57,8 @@ export default {
   'defaults': 'Revenir aux valeurs par défaut',
   'default': '{value} (par défaut)',
   'none': 'aucun',
-  'target': 'But',
-  'target.value': 'Valeur du but',
+  'target': 'Cible',
+  'target.value': 'Valeur visée',
   'target.slider': 'Sommets, au curseur',
   'target.exact': 'Le résultat en a exactement autant.',
   'target.near': 'Le résultat en a autant, à 4 % près.',
@@ -76,40 +77,35 @@ export default {
   'opening': 'Ouverture de {name}',
   'opened': '{name} est ouvert : {facts}',
   'cancelled': 'Annulé',
-  'done': 'Fini : {count} sommets, plus petits angles {mean} en moyenne, {worst} au pire',
-  'done.quads': 'Fini : {count} sommets, {quads} quadrilatères, {irregular} sommets irréguliers, '
+  'done': 'Terminé : {count} sommets, plus petits angles {mean} en moyenne, {worst} au pire',
+  'done.quads': 'Terminé : {count} sommets, {quads} quads, {irregular} sommets irréguliers, '
     + 'angles à {mean} de 90° en moyenne',
   'facts.vertices': '{count} sommets',
   'facts.triangles': '{count} triangles',
-  'facts.quads': '{count} quadrilatères',
+  'facts.quads': '{count} quads',
   'facts.parts': '{count} pièces',
   'facts.open': 'ouvert',
 
   'report.compared': 'Original et résultat comparés',
-  'report.vertices': 'Sommets',
-  'report.triangles': 'Triangles',
   'report.meanAngle': 'Plus petit angle, moyenne',
   'report.worstAngle': 'Pire angle',
   'report.goodAngles': 'Triangles dans 50–60°',
-  'report.ofQuads': 'Quadrilatères',
-  'report.quads': 'Quadrilatères',
   'report.irregular': 'Sommets irréguliers',
   'report.deviation': 'Écart des angles à 90°, moyenne',
   'report.deviationMost': 'Écart à 90°, 95 % en deçà de',
   'report.deviationWorst': 'Écart à 90°, le pire',
   'report.jacobian': 'Plus petit jacobien normalisé',
-  'report.loops': 'Boucles de quadrilatères',
+  'report.loops': 'Boucles de quads',
   'report.longestLoop': 'Arêtes que la plus longue croise',
   'report.symmetry': 'Plans de symétrie',
-  'dots': 'Points : quadrilatères autour d’un sommet :',
+  'dots': 'Points : quads autour d’un sommet :',
   'dots.three': '3',
   'dots.five': '5',
   'dots.other': 'autre nombre',
-  'report.largest': 'Plus grande distance',
   'report.rms': 'Distance moyenne (RMS)',
-  'report.shapeLost': 'La forme s’est perdue : au plus loin, le résultat est à {distance} de la '
+  'report.shapeLost': 'Forme altérée : au plus loin, le résultat est à {distance} de la '
     + 'diagonale de l’original. Plus de sommets la gardent, ou la préférence « shape ». ',
-  'report.shapeLostByQuads': 'La forme s’est perdue : au plus loin, le résultat est à {distance} '
+  'report.shapeLostByQuads': 'Forme altérée : au plus loin, le résultat est à {distance} '
     + 'de la diagonale de l’original. Plus de sommets la gardent. ',
   'report.shape': 'Les triangles ne sont pas réguliers : leurs coins sont les sommets de '
     + 'l’original dont sa forme a le plus besoin.',
@@ -121,10 +117,10 @@ export default {
     + 'diagonale de la boîte englobante.',
   'histogram': 'Plus petit angle des triangles. {steps}.',
   'histogram.step': '{from} à {to} degrés : {before}, maintenant {after}',
-  'stopped.fidelity': 'Arrêté avant le but : tout pas de plus courberait la surface plus que les '
+  'stopped.fidelity': 'Arrêté avant la cible : tout pas de plus courberait la surface plus que les '
     + 'angles ne le permettent. Relâchez la fidélité ou élargissez ses angles.',
-  'stopped.max-error': 'Arrêté avant le but : tout pas de plus s’écarterait de l’original plus que '
-    + 'la plus grande erreur permise.',
+  'stopped.max-error': 'Arrêté avant la cible : tout pas de plus s’écarterait de l’original plus '
+    + 'que la plus grande erreur permise.',
   'download': 'Télécharger',
   'download.first': 'Télécharger en {format}',
 
@@ -140,14 +136,14 @@ export default {
   'settings.keep': 'Garder les fichiers ouverts dans ce navigateur, pour les rouvrir de la liste',
   'settings.forget': 'Oublier ce qui a été ouvert',
   'settings.forgotten': 'La liste est vide ; les fichiers gardés sont effacés.',
-  'settings.singleKeys': 'Les lettres seules sont des touches',
+  'settings.singleKeys': 'Raccourcis d’une seule lettre',
   'settings.keys': 'Touches',
   'key.open': 'Ouvrir un fichier',
   'key.folder': 'Ouvrir un dossier',
   'key.settings': 'Cette liste',
   'key.wireframe': 'Maillage affiché ou caché',
   'key.fit': 'Tout le modèle à l’écran',
-  'key.space': 'Espace (tenue)',
+  'key.space': 'Espace (maintenu)',
   'key.space.does': 'L’original à la place du résultat',
   'key.arrows': 'Flèches, + et −',
   'key.arrows.does': 'Tourner et changer l’échelle, quand la vue a le focus',
@@ -179,7 +175,7 @@ export default {
   'copy': 'Copier',
   'copied': 'Copié.',
   'saved': '{name} est dans vos téléchargements.',
-  'loss.quads': '{format} n’a que des triangles : chaque quadrilatère est écrit comme deux.',
+  'loss.quads': '{format} n’a que des triangles : chaque quad est écrit comme deux.',
   'loss.parts': '{format} n’a qu’une surface : {count} parties et matériaux sont écrits comme une '
     + 'seule, sans leurs noms.',
   'loss.looks': '{format} ne reçoit ni couleurs ni images des matériaux.',
@@ -224,7 +220,7 @@ export default {
   'distance.measuring': 'La distance est en cours de mesure…',
   'distance.largest': 'Plus grande distance : {distance}',
   'distance.handle': 'Erreur maximale permise :',
-  'legend.deviation': 'Quadrilatères : écart à 90°',
+  'legend.deviation': 'Quads : écart à 90°',
   'density': 'Densité',
   'density.low': 'clairsemé',
   'density.high': 'dense',
@@ -262,7 +258,7 @@ export default {
   'phase.count': 'Ajustement du nombre',
   'phase.fit': 'Rapprochement de l’original',
   'phase.polish': 'Finition',
-  'phase.land': 'Retour sur l’original',
+  'phase.land': 'Projection sur l’original',
   'phase.lower Hausdorff': 'Réduction de la plus grande distance',
   'phase.extract': 'Collecte du résultat',
   'phase.grade': 'Gradation des tailles',
@@ -270,7 +266,7 @@ export default {
   'phase.smooth': 'Lissage',
   'phase.mend': 'Réparation',
   'phase.coarsen': 'Simplification',
-  'phase.quads': 'Quadrilatères',
+  'phase.quads': 'Formation des quads',
   'phase.boolean': 'Découpe des corps',
   'phase.measure': 'Mesure',
   'phase.paint': 'Peinture des textures',
@@ -301,7 +297,7 @@ export default {
   'choice.repair.wrap': 'enveloppe',
   'choice.repair.auto': 'auto',
   'means.repair.off': 'La surface reste ce qu’elle est : un trou reste un trou.',
-  'means.repair.holes': 'Ferme les boucles ouvertes, retourne les corps à l’envers et laisse le '
+  'means.repair.holes': 'Ferme les boucles de bord, retourne les corps à l’envers et laisse le '
     + 'reste tel quel.',
   'means.repair.solid': 'Garde l’extérieur de ce qui enferme quelque chose : les corps sont unis, '
     + 'les coques intérieures s’en vont.',
@@ -328,7 +324,7 @@ export default {
   'tagline': 'Donne à un modèle 3D de nouveaux triangles ou quads et garde sa forme : plus '
     + 'léger, imprimable ou bon pour la simulation.',
   'compare': 'Côte à côte ou superposés',
-  'purposes': 'C’est pour quoi ?',
+  'purposes': 'Pour quel usage ?',
   'purpose.asset': 'Plus léger',
   'purpose.asset.for': 'web, jeux',
   'purpose.print': 'Imprimable',
@@ -343,7 +339,7 @@ export default {
   'purpose.quads.for': 'sculpture',
   'purpose.quads.about': 'Des quads seulement, le long des arêtes et de la courbure, pour '
     + 'subdiviser, sculpter et animer.',
-  'works': 'Travail',
+  'works': 'Tâche',
   'work.repair': 'Réparer seulement',
   'work.remesh': 'Réparer et remailler',
   'dial.asset': 'Triangles, au plus',
@@ -353,23 +349,31 @@ export default {
   'dial.slider': 'De même, au curseur',
   'repairOnly': 'Réparer seulement',
   'unit': 'Unité du modèle',
+  'unit.none': 'sans unité',
+  'unit.some': 'unités',
+  'unit.assumed': 'supposé',
+  'unit.assumed.why': 'Le fichier n’indique pas d’unité. De tels nombres sont le plus souvent des '
+    + 'millimètres ; sinon, choisissez une autre unité.',
   'expert': 'Expert : options, chiffres, formats',
   'verdict': 'Verdict',
   'verdict.closed': 'Fermé : aucun trou.',
   'verdict.open': 'Ouvert : {count} arêtes n’ont de triangle que d’un côté.',
   'verdict.shared': '{count} arêtes ont plus de deux triangles.',
+  'verdict.sound': 'Sain : rien à réparer ; le fichier est écrit à nouveau.',
   'verdict.unchanged': 'Sain : rien à réparer, le fichier est inchangé.',
   'verdict.near': 'À {distance} au plus de l’original.',
-  'verdict.far': 'De la forme est perdue : jusqu’à {distance} de l’original.',
+  'verdict.far': 'Forme altérée : jusqu’à {distance} de l’original.',
   'verdict.triangles': '{count} triangles, {before} avant.',
   'verdict.quads': '{count} quads ; {irregular} sommets en touchent plus ou moins de quatre.',
+  'verdict.sameTriangles': '{count} triangles, comme avant.',
+  'verdict.sameSize': '{size} en {format}, comme l’original.',
   'verdict.size': '{size} en {format} : {share} des {original} de l’original.',
   'verdict.angle': 'Plus petit angle {worst}, {mean} en moyenne.',
   'verdict.repaired': 'Réparé : {what}.',
-  'verdict.own': 'Des triangles réguliers de cette taille abîmeraient la pièce, elle garde donc '
+  'verdict.own': 'Des triangles isotropes de cette taille abîmeraient la pièce, elle garde donc '
     + 'les siens.',
-  'verdict.within': 'En prendre assez pour la garder',
-  'verdict.lost': 'Davantage gardent mieux la forme.',
+  'verdict.within': 'En prendre assez pour garder la forme',
+  'verdict.lost': 'Un maillage plus fin garde mieux la forme.',
   'verdict.more': 'Deux fois plus',
   'verdict.notes': 'Remarques sur cette exécution : {count}.',
   'verdict.read': 'Lire',
@@ -381,7 +385,7 @@ export default {
   'hint.next': 'Suivant',
   'hint.done': 'Compris',
   'report.sixNeighbours': 'Sommets à six voisins',
-  'purpose.none': 'Avant votre choix : des triangles réguliers.',
+  'purpose.none': 'Avant votre choix : des triangles isotropes, presque équilatéraux.',
   'mend': 'Réparer et remailler',
   'verdict.exact': 'Sa surface est exactement sur celle de l’original.',
   'verdict.thicken': 'En faire un solide mince',
@@ -391,7 +395,7 @@ export default {
   'error.foreign.scene': 'Ouvrez-le dans Blender (gratuit), ou dans le logiciel d’origine, et '
     + 'exportez-le en GLB.',
   'live': 'Remailler pendant que les options changent',
-  'repair.crossings': '{before} triangles en coupaient d’autres ; maintenant {after}',
+  'repair.crossings': 'Triangles qui se croisent : {before} avant, {after} maintenant.',
   'repair.islands': '{count} petits morceaux isolés retirés',
   'purpose.asset.about': 'Moins de triangles, le même aspect. Les textures restent, ou sont '
     + 'repeintes là où elles sont en nombreux morceaux.',

@@ -22,6 +22,8 @@ export class Eye {
   #onMove;
   /** The width of a pane as a share of its height. */
   aspect = 1;
+  /** The share of the height in the middle that the toolbar and the tags leave free. */
+  free = 1;
 
   /** @param {HTMLCanvasElement} canvas @param {() => void} onMove */
   constructor(canvas, onMove) {
@@ -86,7 +88,9 @@ export class Eye {
   /** The distance from which the eye, looking along -direction, sees all corners of the box.
    * @param {Vector3} direction of unit length */
   #fittingDistance(direction) {
-    const half = this.aim(this.aspect) * 0.92;  // a margin
+    const margin = 0.92;
+    const half = this.aim(this.aspect);
+    const [wide, tall] = [half * this.aspect * margin, half * Math.min(margin, this.free)];
     const right = new Vector3(0, 1, 0).cross(direction).normalize();
     const up = direction.clone().cross(right);
     const center = this.#box.getCenter(new Vector3());
@@ -95,8 +99,8 @@ export class Eye {
     for (let corner = 0; corner < 8; ++corner) {
       const point = new Vector3(corner & 1 ? max.x : min.x, corner & 2 ? max.y : min.y,
         corner & 4 ? max.z : min.z).sub(center);
-      const across = Math.abs(point.dot(right)) / (half * this.aspect);
-      const along = Math.abs(point.dot(up)) / half;
+      const across = Math.abs(point.dot(right)) / wide;
+      const along = Math.abs(point.dot(up)) / tall;
       distance = Math.max(distance, Math.max(across, along) + point.dot(direction));
     }
     return distance;

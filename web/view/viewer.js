@@ -19,6 +19,9 @@ import { Overlays } from './overlays.js';
 /** @typedef {{ side: Side, cut: Span, pane: Span }} Pane */
 /** @typedef {[number, number, number]} Triple */
 
+/** CSS pixels that the toolbar takes below a model, and its tag about as many above. */
+const toolbarHeight = 56;
+
 const clayColors = { original: '#c9c2b8', baseline: '#c3b8cc', result: '#a9c9c4' };
 
 export class Viewer {
@@ -103,6 +106,7 @@ export class Viewer {
     const { clientWidth, clientHeight } = this.#canvas;
     const width = clientWidth * (this.#compare === 'side' ? 0.5 : 1);
     this.eye.aspect = width && clientHeight ? width / clientHeight : 1;
+    this.eye.free = Math.max(0.5, 1 - 2 * toolbarHeight / (clientHeight || 1));
   }
 
   /** Draws in the next frame; several calls before then draw once. */

@@ -28,11 +28,11 @@ export default {
   'chosen.isotropic-near': 'Les triangles réguliers ne changent pas visiblement la forme.',
   'chosen.isotropic': 'Aucune simplification n’est assez proche pour valoir ses triangles '
     + 'irréguliers.',
-  'chosen.quads-mirrored': 'Des quadrilatères étaient demandés, et des plans reflètent '
+  'chosen.quads-mirrored': 'Des quads étaient demandés, et des plans reflètent '
     + 'l’original : ceux d’un côté ont été reflétés.',
-  'chosen.quads-paired': 'Des quadrilatères étaient demandés ; sans carte de carrés, ce sont '
+  'chosen.quads-paired': 'Des quads étaient demandés ; sans carte de carrés, ce sont '
     + 'des paires de triangles.',
-  'chosen.quads': 'Des quadrilatères étaient demandés.',
+  'chosen.quads': 'Des quads étaient demandés.',
   'chosen.own-triangles': 'Les sommets dont la forme a besoin tiennent la limite ; des '
     + 'triangles réguliers en demanderaient plus que n’en a l’original.',
   'chosen.simplified-unsound': 'Simplifiée, la surface réparée se couperait elle-même.',
@@ -114,11 +114,11 @@ export default {
   'warning.SCRAPS_REMOVED': 'Des triangles ont été retirés : ceux de petites composantes ouvertes, '
     + 'ceux qui, près d’un trou, ne touchent la surface qu’en un point, et les doubles.',
   'warning.GUIDES_FAR_AWAY': 'Des lignes guides sont à plus de 1 % de la diagonale de la '
-    + 'surface : les quadrilatères suivent les points les plus proches sur elle.',
-  'warning.GUIDES_MIRRORED': 'Les quadrilatères sont symétriques, et les lignes guides avec eux.',
-  'warning.GUIDES_NOT_KEPT': 'Des lignes guides ne sont devenues des côtés de quadrilatères '
+    + 'surface : les quads suivent les points les plus proches sur elle.',
+  'warning.GUIDES_MIRRORED': 'Les quads sont symétriques, et les lignes guides avec eux.',
+  'warning.GUIDES_NOT_KEPT': 'Des lignes guides ne sont devenues des côtés de quads '
     + 'qu’en partie : elles sont trop près d’autres courbes, ou trop courtes pour des '
-    + 'quadrilatères de cette taille.',
+    + 'quads de cette taille.',
   'warning.HIDDEN_BODIES_REMOVED': 'Des corps situés dans d’autres, que l’on ne voit pas, ont été '
     + 'retirés.',
   'warning.CAVITIES_FILLED': 'Des cavités invisibles de l’extérieur ont été remplies.',
@@ -133,16 +133,16 @@ export default {
     + 'l’original ne se coupe pas.',
   'warning.SHAPE_LOST_TO_ROUNDING': 'Le modèle est plus petit que l’arrondi des nombres si loin '
     + 'de l’origine. Déplacez-le d’abord à l’origine.',
-  'warning.QUADS_MADE_SYMMETRIC': 'Les quadrilatères sont symétriques : le côté qui a le plus de '
+  'warning.QUADS_MADE_SYMMETRIC': 'Les quads sont symétriques : le côté qui a le plus de '
     + 'surface fait foi.',
   'warning.QUADS_NUMBER_MISSED': 'Le nombre de points est manqué : un nombre plus proche '
     + 'coûterait des '
     + 'points irréguliers ou n’était pas possible.',
-  'warning.QUADS_OFF_BORDER': 'Le bord des quadrilatères n’est pas partout sur celui qui a été '
+  'warning.QUADS_OFF_BORDER': 'Le bord des quads n’est pas partout sur celui qui a été '
     + 'donné.',
   'warning.QUADS_PAIRED': 'Pour des parties, aucune carte vers des carrés n’a été trouvée : leurs '
-    + 'quadrilatères sont des paires de triangles divisées.',
-  'warning.QUADS_SYMMETRY_LOST': 'Le modèle a des plans de symétrie, mais les quadrilatères ne les '
+    + 'quads sont des paires de triangles divisées.',
+  'warning.QUADS_SYMMETRY_LOST': 'Le modèle a des plans de symétrie, mais les quads ne les '
     + 'ont pas tous.',
   'warning.SPIKES_LEFT_COARSE': 'Des points qui dépassent de loin tiennent par des aiguilles ; '
     + 'celles-ci reçoivent peu de points.',

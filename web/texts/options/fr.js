@@ -23,12 +23,12 @@ export default {
   'option.boundary': 'Bord',
   'option.maxError': 'Erreur maximale',
   'option.weld': 'Souder',
-  'option.quads': 'Quadrilatères',
+  'option.quads': 'Quads',
   'option.exact': 'Nombre exact',
   'option.symmetry': 'Symétrie',
   'help.vertices': 'nombre exact de sommets du résultat ; sinon celui de l’original, ou jusqu’à '
     + 'quatre fois autant où des triangles réguliers le demandent',
-  'help.faces': 'au plus tant de triangles, ou de quadrilatères avec --quads, aussi '
+  'help.faces': 'au plus tant de triangles, ou de quads avec --quads, aussi '
     + 'près que la surface le permet',
   'help.ratio': 'le nombre de sommets comme part de ceux de l’original',
   'help.edgeLength': 'le nombre de sommets d’après une longueur moyenne d’arête',
@@ -58,9 +58,9 @@ export default {
   'help.boundary': 'déplacer les sommets le long des bords ouverts, ou les garder tels quels',
   'help.maxError': 'refuse ce qui s’écarterait davantage de l’original',
   'help.weld': 'réunit les endroits plus proches ; sinon ce qui ne diffère que par l’arrondi',
-  'help.quads': 'seulement des quadrilatères, suivant arêtes et courbure ; points à 1 % près',
-  'help.exact': 'des quadrilatères : exactement ce nombre de sommets',
-  'help.symmetry': 'des quadrilatères : auto : exactement symétriques, si le modèle l’est par un '
+  'help.quads': 'seulement des quads, suivant arêtes et courbure ; points à 1 % près',
+  'help.exact': 'des quads : exactement ce nombre de sommets',
+  'help.symmetry': 'des quads : auto : exactement symétriques, si le modèle l’est par un '
     + 'plan ; x, xy … : symétriques par des plans perpendiculaires à ces axes, quel que soit le '
     + 'modèle',
   'unit.degrees': 'degrés',
