@@ -50,6 +50,13 @@ test('a file is remeshed to the exact count; standard output stays empty', () =>
   assert.match(read('out.off'), /^OFF\s+700 1400/);
 });
 
+test('where shape was lost it is said, with what keeps more of it', () => {
+  const words = (/** @type {string} */ vertices) => run('torus.off', '-o', 'out.off', '--vertices',
+    vertices, '--quality', 'draft').stderr;
+  assert.match(words('30'), /some shape was lost: more triangles .* --max-error/);
+  assert.doesNotMatch(words('1100'), /shape was lost/);
+});
+
 test('two bodies become one file; a file that was read is not written over', () => {
   write('tetrahedron.off', tetrahedron);
   const words = ['torus.off', 'tetrahedron.off', '-o', 'both.stl'];
@@ -85,8 +92,9 @@ test('--json is the whole report and nothing else on standard output', () => {
 
 test('inspect reports, in words and as JSON, and writes nothing', () => {
   const before = readdirSync(folder).sort();
-  assert.match(run('inspect', 'torus.off').stdout,
-    /^input: 2304 triangles, 1152 vertices, 1 component\n/);
+  const words = run('inspect', 'torus.off').stdout;
+  assert.match(words, /^input: 2304 triangles, 1152 vertices, 1 component\n/);
+  assert.match(words, /\n {2}diagonal of the bounding box: 8\.0\d*, in the file’s own unit\n/);
   const report = JSON.parse(run('inspect', 'torus.off', '--json').stdout);
   assert.equal(report.input.eulerCharacteristic, 0);
   assert.equal(report.output, undefined);
@@ -132,6 +140,7 @@ test('wrong words are named, with what to do', () => {
   const isRefused = (pattern, ...words) => assert.throws(() => parseCommandLine(words),
     (error) => exitStatusOf(error) === 2 && pattern.test(errorInWords(error)));
   isRefused(/No output file.*Add -o/, 'torus.off');
+  isRefused(/--edge\b.*Did you mean --edge-length/, 'torus.off', '-o', 'x.off', '--edge', '2');
   isRefused(/--vertexes.*Did you mean --vertices/,
     'torus.off', '-o', 'x.off', '--vertexes', '3');
   isRefused(/--vertices needs a value/, 'torus.off', '-o', 'x.off', '--vertices');

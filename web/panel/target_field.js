@@ -127,6 +127,7 @@ export class TargetField {
     const original = this.#inputVertices;
     const share = Number(this.#number.value) / original;
     const closely = t(this.#isExact ? 'target.exactly' : 'target.nearly');
+    if (!this.#number.value) return '';  // as many as a repair or a tolerance makes
     if (!original || !share) return t(this.#isExact ? 'target.exact' : 'target.near');
     if (share === 1) return t('target.same', { closely });
     if (Number(this.#number.value) === this.#enough) {

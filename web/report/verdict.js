@@ -53,11 +53,16 @@ function closedLine({ report: { output }, values }, { onThicken }) {
     : { kind: 'good', text: t('verdict.closed') };
 }
 
+/** Whether every mesh is as it came, to the last digit: not rounded to what the format holds.
+ * @param {Report} report */
+const isKept = ({ chosen = [] }) => [chosen].flat().every(({ rule }) => rule === 'kept');
+
 /** @param {Judged} judged @param {VerdictActs} acts @returns {Line[]} */
 function distanceLines(judged, { onLargest }) {
-  const { report, largest, diagonal, size, original } = judged;
+  const { report, largest, diagonal } = judged;
   if (report.repair?.reason === 'sound' && !report.fidelity) {
-    return [{ kind: 'good', text: t(size === original ? 'verdict.unchanged' : 'verdict.sound') }];
+    return [{ kind: 'good',
+      text: t(isKept(report) ? 'verdict.unchanged' : 'verdict.sound') }];
   }
   if (largest === null) return [];
   if (largest < nothing * diagonal) return [{ kind: 'good', text: t('verdict.exact') }];
@@ -171,7 +176,8 @@ export function verdictInShort(judged) {
   const { boundaryEdges, triangles, quads } = output;
   return [boundaryEdges ? t('short.open', { count: count(boundaryEdges) }) : t('short.closed'),
     ...(largest === null ? [] : [largest < nothing * diagonal ? t('short.exact')
-      : `≤ ${lengthIn(judged.scale, largest)}`]),
+      : `≤ ${judged.scale.name ? lengthIn(judged.scale, largest)
+        : percent(100 * largest / diagonal)}`]),
     quads ? t('facts.quads', { count: count(quads.count) })
       : t('facts.triangles', { count: count(triangles) })].join(' · ');
 }

@@ -274,8 +274,12 @@ export function defaultInWords(option, spell = String) {
   return best === rounds ? spell(best) : `${spell(best)}; ${spell(rounds)} with rounds`;
 }
 
+/** The letters of which a name that begins with them is meant: fewer are no word. */
+const fewestLetters = 3;
+
 /**
- * The known name that was probably meant, or undefined.
+ * The known name that was probably meant, or undefined: one that begins so, else one with few other
+ * letters.
  * @param {string} name
  * @param {readonly string[]} known
  */
@@ -283,6 +287,9 @@ export function nearest(name, known) {
   let best;
   let least = Math.max(2, name.length / 2) + 1;
   if (name.length > longestName) return undefined;
+  const begun = name.replace(/^-+/, '').length >= fewestLetters
+    && known.find((candidate) => candidate.toLowerCase().startsWith(name.toLowerCase()));
+  if (begun) return begun;
   for (const candidate of known) {
     const distance = editDistance(name.toLowerCase(), candidate.toLowerCase());
     if (distance < least) [best, least] = [candidate, distance];

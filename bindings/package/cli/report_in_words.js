@@ -63,6 +63,12 @@ function meshInWords(title, mesh) {
   ].join('\n');
 }
 
+/** The size of a model, by which lengths in its units are chosen.
+ * @param {{ diagonal: number, unit?: string }} model */
+const sizeOfBox = ({ diagonal, unit }) => '  diagonal of the bounding box: '
+  + (unit === undefined ? `${Number(diagonal.toPrecision(4))}, in the file’s own unit`
+    : lengthInWords(diagonal, unit, diagonal));
+
 /**
  * Distances in percent, and in the model's unit if it is known.
  * @param {import('../base/messages.js').Distances} fidelity
@@ -86,7 +92,7 @@ function switchInWords({ coverage, distance }, { diagonal, unit }) {
 
 const reasons = {
   asked: 'as asked',
-  sound: 'it was sound and is unchanged',
+  sound: 'nothing was to be repaired',
   closed: 'with its loops closed it is sound',
   united: 'bodies that intersect were united exactly',
   made: 'sheets became bodies',
@@ -122,6 +128,7 @@ function dropInWords({ pieces, hidden, lost, piecesAt }) {
 function repairInWords(repair) {
   const { mode, reason, holes, rims, bodies, islands, shells, turned, selfIntersections } = repair;
   const [before, after] = selfIntersections;
+  if (reason === 'sound') return `repair: ${reasons.sound}`;
   return `repair (${mode}, ${reasons[reason]}):\n`
     + `  ${counted(holes, 'hole')} closed${widest(repair.closedAt)}, `
     + `${counted(islands, 'island')} and `
@@ -183,10 +190,24 @@ function atlasInWords({ size, charts, given, coverage, stretch, worstStretch, ca
     + `  stretch ${stretch.toFixed(2)} in the mean, ${worstStretch.toFixed(2)} at worst${baked}`;
 }
 
-/** The sentences by which the result was chosen, each once. @param {any} chosen */
-function chosenInWords(chosen) {
-  const sentences = new Set([chosen].flat().map((/** @type {any} */ { reason }) => reason));
-  return `chosen: ${[...sentences].join(' ')}`;
+/** Percent of the diagonal: what is farther away anyone sees. */
+const seenByAnyone = 0.5;
+
+/** What keeps more of the shape, where some of it was lost. @param {any} report */
+function lossOfShape({ fidelity: { hausdorff }, output, prefer }) {
+  if (hausdorff <= seenByAnyone) return [];
+  const isLast = output.quads || [prefer].flat().includes('shape');
+  return [`some shape was lost: more ${output.quads ? 'quads' : 'triangles'} keep it, or `
+    + `--max-error${isLast ? '' : ', or --prefer shape'}`];
+}
+
+/** The sentences by which the result was chosen, each once. A sound surface that is only rounded
+ * was not changed by its repair. @param {any} report */
+function chosenInWords({ chosen, repair }) {
+  const rows = [chosen].flat().filter((/** @type {any} */ { rule }) =>
+    repair?.reason !== 'sound' || rule !== 'repaired');
+  const sentences = new Set(rows.map((/** @type {any} */ { reason }) => reason));
+  return sentences.size > 0 ? [`chosen: ${[...sentences].join(' ')}`] : [];
 }
 
 /** @param {import('../base/messages.js').PresetOptions} preset */
@@ -227,7 +248,7 @@ function conformInWords({ faces, triangles, area }) {
 export function reportInWords(report) {
   const parts = [];
   if (report.preset) parts.push(presetInWords(report.preset));
-  if (report.input) parts.push(meshInWords('input', report.input));
+  if (report.input) parts.push(meshInWords('input', report.input), sizeOfBox(report));
   if (report.faults) parts.push(faultsInWords(report.faults));
   if (report.dropped) parts.push(dropInWords(report.dropped));
   if (report.repair) parts.push(repairInWords(report.repair));
@@ -235,8 +256,10 @@ export function reportInWords(report) {
   if (report.atlas) parts.push(atlasInWords(report.atlas));
   if (report.output) parts.push(meshInWords('output', report.output));
   if (report.conform) parts.push(conformInWords(report.conform));
-  if (report.fidelity) parts.push(distanceInWords(report.fidelity, report));
-  if (report.chosen) parts.push(chosenInWords(report.chosen));
+  if (report.fidelity) {
+    parts.push(distanceInWords(report.fidelity, report), ...lossOfShape(report));
+  }
+  if (report.chosen) parts.push(...chosenInWords(report));
   for (const [i, { output, fidelity, takesOver }] of (report.lods ?? []).entries()) {
     parts.push(meshInWords(`level of detail ${i + 1}`, output), distanceInWords(fidelity, report));
     if (takesOver) parts.push(switchInWords(takesOver, report));

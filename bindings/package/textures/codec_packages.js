@@ -3,6 +3,9 @@
 
 import { RemeshError } from '../base/errors.js';
 
+/** All are named at once, for most models have images of several kinds. */
+const all = ['@jsquash/png', '@jsquash/jpeg', '@jsquash/webp'];
+
 /**
  * The two halves of a package. Hides them from bundlers, which would complain to all who bake
  * nothing.
@@ -15,7 +18,8 @@ export async function loadPackage(name) {
       await import(/* webpackIgnore: true */ /* @vite-ignore */ `${name}/encode.js`)];
   } catch (cause) {
     throw new RemeshError('UNSUPPORTED', `Baking textures needs the package ${name}.`,
-      `npm install ${name}; in browsers, init({ codecs }) with what remesher/codecs exports.`,
+      `npm install ${all.join(' ')}; in browsers, init({ codecs }) with what remesher/codecs `
+        + 'exports.',
       { cause });
   }
 }
