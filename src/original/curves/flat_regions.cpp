@@ -6,7 +6,6 @@
 
 #include "base/options.h"
 #include "geometry/triangle.h"
-#include "mesh/coordinate_step.h"
 #include "original/curves/facets.h"
 #include "original/curves/shape_angles.h"
 
@@ -18,8 +17,11 @@ const double kSharp = std::cos(radians(kFeatureAngle));  // between normals
 // A neighbor more than half as wide as a region is its like; a region with most of its border to
 // its likes is a facet.
 constexpr double kLike = 2;
-// A body with a smaller flat share of its area is round, with places that hardly bend.
-constexpr double kLeastShare = 0.25;
+// A body with a smaller flat share of its area is round, with places that hardly bend; of one that
+// is made of facets, such as a turned part, small ends are flat as well.
+constexpr double kLeastShare = 0.25, kLeastOfFacets = 0.01;
+// A body is made of facets if this share of its area lies in one plane with a neighbor.
+constexpr double kMadeOfFacets = 0.5;
 
 struct Plane {
   Vec3 normal = Vec3::Zero();  // unit
@@ -37,10 +39,11 @@ class RegionGrowth {
         seen_(mesh.faceCapacity(), 0),
         of_(mesh.faceCapacity(), kNone) {}
 
-  FlatRegions run(double width) {
+  // None where they are a smaller share of the area.
+  FlatRegions run(double width, double leastShare) {
     FlatRegions result{{}, growAll(width)};
     dropFacets(result.widths);
-    if (result.widths.empty() || flatShare() < kLeastShare) return {};
+    if (result.widths.empty() || flatShare() < leastShare) return {};
     result.of = ofBearers();
     return result;
   }
@@ -242,8 +245,10 @@ class RegionGrowth {
 
 FlatRegions findFlatRegions(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
                             double width) {
-  if (coplanarShare(mesh, positions) < kLeastShare) return {};
-  return RegionGrowth(mesh, positions, coordinateStep(positions.values())).run(width);
+  const double coplanar = coplanarShare(mesh, positions);
+  if (coplanar < kLeastShare) return {};
+  const double least = coplanar < kMadeOfFacets ? kLeastShare : kLeastOfFacets;
+  return RegionGrowth(mesh, positions, flatTolerance(mesh, positions)).run(width, least);
 }
 
 FaceData<Index> findFacets(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,

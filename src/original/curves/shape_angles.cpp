@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "geometry/fast_trigonometry.h"
@@ -95,8 +96,21 @@ double missingAngle(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
   return missing;
 }
 
-double coplanarShare(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions) {
+double flatTolerance(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions) {
+  // Coordinates with six digits are this far from where they were meant, as a share of the
+  // diagonal; a triangle on a round surface is off its neighbor's plane by more of an edge.
+  constexpr double kDigits = 4e-6, kOfEdges = 1e-3;
   const double step = coordinateStep(positions.values());
+  const std::vector<double> lengths = edgeLengths(mesh, positions);
+  if (lengths.empty()) return step;
+  Vec3 low = positions.values().front(), high = low;
+  for (const Vec3& p : positions.values()) low = low.cwiseMin(p), high = high.cwiseMax(p);
+  const double mean = std::accumulate(lengths.begin(), lengths.end(), 0.0) / double(lengths.size());
+  return std::max(step, std::min(kDigits * (high - low).norm(), kOfEdges * mean));
+}
+
+double coplanarShare(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions) {
+  const double step = flatTolerance(mesh, positions);
   double coplanar = 0, all = 0;
   for (Index i = 0; i < mesh.faceCapacity(); ++i) {
     const auto [a, b, c] = mesh.vertices(Face(i));

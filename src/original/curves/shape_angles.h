@@ -30,8 +30,12 @@ double missingAngle(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
 // least cos φ times as wide.
 VertexData<char> mayMiss(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions, double angle);
 
-// The share of the area whose triangles lie in one plane with a neighbor, to the precision of the
-// coordinates; in [0, 1].
+// What is flat may be off by so much, model units: the rounding of six digits, but always a small
+// share of the edges, so that a finely divided round surface is not flat.
+double flatTolerance(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions);
+
+// The share of the area whose triangles lie in one plane with a neighbor, to that tolerance; in
+// [0, 1].
 double coplanarShare(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions);
 
 // One length per edge, in the order of the halfedges that name the edges.

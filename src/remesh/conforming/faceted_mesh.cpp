@@ -8,26 +8,17 @@
 
 #include "geometry/predicates.h"
 #include "geometry/triangle.h"
-#include "mesh/coordinate_step.h"
 #include "mesh/joints.h"
 #include "original/curves/facets.h"
+#include "original/curves/shape_angles.h"
 #include "remesh/conforming/line_corners.h"
 
 namespace remesher {
 
 namespace {
 
-// Coordinates with six digits are this far from where they were meant, as a share of the diagonal.
-constexpr double kDigits = 4e-6;
 // A point this near to a corner or an edge of its triangle, in weights, is on it.
 constexpr double kOnIt = 1e-12;
-
-// What is flat or straight may be off by so much, model units.
-double toleranceOf(const VertexData<Vec3>& positions) {
-  Vec3 low = positions.values().front(), high = low;
-  for (const Vec3& p : positions.values()) low = low.cwiseMin(p), high = high.cwiseMax(p);
-  return std::max(coordinateStep(positions.values()), kDigits * (high - low).norm());
-}
 
 }  // namespace
 
@@ -47,7 +38,7 @@ FacetedMesh::FacetedMesh(const BuiltMesh& original, const HalfedgeData<char>& se
 
 // Seams divide a plane into several facets.
 void FacetedMesh::setFacets(const HalfedgeData<char>& seams) {
-  const FaceData<Index> planes = findFacets(mesh_, positions_, toleranceOf(positions_));
+  const FaceData<Index> planes = findFacets(mesh_, positions_, flatTolerance(mesh_, positions_));
   ownFacet_.assign(mesh_.faceCapacity(), kNone);
   std::vector<Face> stack;
   for (Index i = 0; i < mesh_.faceCapacity(); ++i) {
@@ -99,7 +90,7 @@ void FacetedMesh::setRoles(const HalfedgeData<char>& seams) {
     lines[h] = 1;
     if (mesh_.twin(h)) lines[mesh_.twin(h)] = 1;
   }
-  rules.corners = cornersOfLines(mesh_, positions_, lines, toleranceOf(positions_));
+  rules.corners = cornersOfLines(mesh_, positions_, lines, flatTolerance(mesh_, positions_));
   curves_ = FeatureCurves(mesh_, positions_, rules);
   for (Index i = 0; i < mesh_.halfedgeCapacity(); ++i) {
     const Halfedge h(i);

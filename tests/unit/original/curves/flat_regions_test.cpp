@@ -3,8 +3,10 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <set>
 
+#include "original/curves/shape_angles.h"
 #include "support/parts.h"
 #include "support/surfaces.h"
 
@@ -20,6 +22,19 @@ std::size_t countRegions(const TriangleMesh& mesh, double width) {
   return regionsOf(surfaces::surface("", mesh), width).widths.size();
 }
 
+// As many files have it: turned by odd angles, each coordinate with six digits.
+TriangleMesh turnedInSixDigits(TriangleMesh mesh, double angle) {
+  const Eigen::AngleAxisd turn(angle, Vec3(1, 2, 3).normalized());
+  for (Vec3& p : mesh.positions) {
+    p = turn * (20 * p);
+    for (double& x : p) {
+      const double step = x == 0 ? 1 : std::pow(10.0, std::floor(std::log10(std::abs(x))) - 5);
+      x = step * std::round(x / step);
+    }
+  }
+  return mesh;
+}
+
 }  // namespace
 
 TEST_CASE("flat regions: the sides of bodies, and none of what is round") {
@@ -31,6 +46,13 @@ TEST_CASE("flat regions: the sides of bodies, and none of what is round") {
   CHECK(countRegions(shapes::filletedBar(8), 0.2) == 6);
   CHECK(countRegions(shapes::filletedBar(8), 0) == 6);
   CHECK(countRegions(shapes::torus(48, 24), 0) == 0);
+}
+
+TEST_CASE("flat regions: the ends of a bar of facets, however small a share of it they are") {
+  std::vector<Vec2> outline;
+  for (int k = 0; k < 48; ++k) outline.push_back(shapes::onCircle(k, 48).head<2>());
+  for (const double length : {2.0, 10.0, 40.0})
+    CHECK(countRegions(shapes::extruded(outline, length), 0) == 2);
 }
 
 TEST_CASE("flat regions: their borders need no angle") {
@@ -51,6 +73,18 @@ TEST_CASE("flat regions: what is a little bent is not flat, what is rounded to f
   CHECK(countRegions(mesh, 0.1) == 1);
   for (Vec3& p : mesh.positions) p.z() += 1e-3 * p.x() * p.x() * p.y();
   CHECK(countRegions(mesh, 0.5) == 0);
+}
+
+TEST_CASE("flat regions: a part has as many where it is turned and written with six digits") {
+  for (const TriangleMesh& part :
+       {shapes::filletedBar(8), shapes::drilledPlate(16, 0.5), shapes::boxWithHole()})
+    for (int i = 0; i < 6; ++i) {
+      const TriangleMesh written = turnedInSixDigits(part, 0.3 + 0.7 * i);
+      CAPTURE(i);
+      CHECK(countRegions(written, 0) == countRegions(part, 0));
+      const surfaces::Surface surface = surfaces::surface("", written);
+      CHECK(coplanarShare(surface.mesh(), surface.positions()) > 0.95);
+    }
 }
 
 TEST_CASE("flat regions: a triangle without area belongs to what its longest edge lies against") {
