@@ -2,9 +2,11 @@
 #include "remesh/conforming/smoothing_facets.h"
 
 #include <algorithm>
+#include <array>
 #include <numbers>
 #include <vector>
 
+#include "geometry/fast_trigonometry.h"
 #include "geometry/pattern_search.h"
 #include "geometry/predicates.h"
 #include "remesh/conforming/facet_flips.h"
@@ -13,7 +15,15 @@ namespace remesher {
 
 namespace {
 
-constexpr int kPasses = 6;
+constexpr int kPasses = 4;
+// Wider angles elsewhere are worth no triangle of a star whose smallest angle is less than this.
+constexpr double kLeastKept = radians(30);
+// No angle is kept as it is to the last digit.
+constexpr double kRounded = 1 - 1e-9;
+
+// First triangles become round, which also draws apart what is needles; then the smallest angles
+// become as wide as possible on average.
+enum class Aim { Round, Wide };
 
 // 1 for an equilateral triangle, and infinite for a line: the inverse of the mean ratio, squared.
 double thinness(const Vec2& a, const Vec2& b, const Vec2& c) {
@@ -23,11 +33,24 @@ double thinness(const Vec2& a, const Vec2& b, const Vec2& c) {
   return ratio * ratio;
 }
 
+// The angle opposite to the shortest side.
+double smallestAngle(const Vec2& a, const Vec2& b, const Vec2& c) {
+  std::array<Vec2, 3> sides = {b - a, c - b, a - c};
+  const auto isShorter = [](const Vec2& s, const Vec2& t) {
+    return s.squaredNorm() < t.squaredNorm();
+  };
+  std::rotate(sides.begin(), std::min_element(sides.begin(), sides.end(), isShorter), sides.end());
+  return angleOf(cross(sides[1], sides[2]), -sides[1].dot(sides[2]));
+}
+
 class StarSmoothing {
  public:
-  explicit StarSmoothing(FacetedMesh& mesh) : mesh_(mesh), m_(mesh.mesh()) {}
+  StarSmoothing(FacetedMesh& mesh, Aim aim) : mesh_(mesh), m_(mesh.mesh()), aim_(aim) {}
 
-  void smooth(Vertex v) { mesh_.role(v) == FacetRole::Free ? smoothFree(v) : smoothOnLine(v); }
+  void smooth(Vertex v) {
+    if (aim_ == Aim::Wide) keepAngles(v);
+    mesh_.role(v) == FacetRole::Free ? smoothFree(v) : smoothOnLine(v);
+  }
 
  private:
   // The side of a star opposite to its vertex, in its facet's plane.
@@ -44,10 +67,30 @@ class StarSmoothing {
     });
   }
 
-  double thinnessAt(const Vec2& p) const {
+  // The loss of a star is a sum over its triangles: of their thinness, or of what their smallest
+  // angles lack. Infinite if one is turned over, or narrower than what is kept.
+  double lossOf(const Vec2& a, const Vec2& b, const Vec2& c) const {
+    if (aim_ == Aim::Round) return thinness(a, b, c);
+    if (orient2d(a, b, c) <= 0) return kInfinity;
+    const double angle = smallestAngle(a, b, c);
+    return angle < kept_ ? kInfinity : std::numbers::pi / 3 - angle;
+  }
+
+  double lossAt(const Vec2& p) const {
     double sum = 0;
-    for (const Side& side : sides_) sum += thinness(p, side.from, side.to);
+    for (const Side& side : sides_) sum += lossOf(p, side.from, side.to);
     return sum;
+  }
+
+  // Sets what is kept by the star as it is.
+  void keepAngles(Vertex v) {
+    kept_ = kLeastKept;
+    m_.forEachOutgoing(v, [&](Halfedge h) {
+      const Index facet = mesh_.facet(m_.face(h));
+      kept_ = std::min(kept_,
+                       kRounded * smallestAngle(mesh_.flat(v, facet), mesh_.flat(m_.tip(h), facet),
+                                                mesh_.flat(m_.opposite(h), facet)));
+    });
   }
 
   void smoothFree(Vertex v) {
@@ -57,12 +100,12 @@ class StarSmoothing {
     double spoke = 0;
     for (const Side& side : sides_) spoke += (side.from - start).norm() / double(sides_.size());
     Vec2 best = start;
-    double least = thinnessAt(start);
+    double least = lossAt(start);
     searchPattern([&](double step) {
       const Vec2 from = best;
       for (const Vec2& way : planeDirections()) {
         const Vec2 p = from + step * spoke * way;
-        const double sum = thinnessAt(p);
+        const double sum = lossAt(p);
         if (sum < least) least = sum, best = p;
       }
       return best != from;
@@ -70,12 +113,12 @@ class StarSmoothing {
     if (best != start) mesh_.move(v, best, facet);
   }
 
-  double thinnessOnLine(Vertex v) const {
+  double lossOnLine(Vertex v) const {
     double sum = 0;
     m_.forEachOutgoing(v, [&](Halfedge h) {
       const Index facet = mesh_.facet(m_.face(h));
-      sum += thinness(mesh_.flat(v, facet), mesh_.flat(m_.tip(h), facet),
-                      mesh_.flat(m_.opposite(h), facet));
+      sum += lossOf(mesh_.flat(v, facet), mesh_.flat(m_.tip(h), facet),
+                    mesh_.flat(m_.opposite(h), facet));
     });
     return sum;
   }
@@ -83,14 +126,14 @@ class StarSmoothing {
   void smoothOnLine(Vertex v) {
     const FacetedMesh::Reach reach = mesh_.reach(v);
     const double low = std::min(reach.from, reach.to), high = std::max(reach.from, reach.to);
-    double best = reach.at, least = thinnessOnLine(v);
+    double best = reach.at, least = lossOnLine(v);
     searchPattern([&](double step) {
       const double start = best;
       for (const double way : {step, -step}) {
         const double arc = start + way * (high - low) / 2;
         if (!(low < arc && arc < high)) continue;
         mesh_.slide(v, arc);
-        const double sum = thinnessOnLine(v);
+        const double sum = lossOnLine(v);
         if (sum < least) least = sum, best = arc;
       }
       return best != start;
@@ -100,6 +143,8 @@ class StarSmoothing {
 
   FacetedMesh& mesh_;
   const HalfedgeMesh& m_;
+  const Aim aim_;
+  double kept_ = 0;
   std::vector<Side> sides_;
 };
 
@@ -107,11 +152,14 @@ class StarSmoothing {
 
 void smoothFacets(FacetedMesh& mesh) {
   const HalfedgeMesh& m = mesh.mesh();
-  StarSmoothing star(mesh);
-  for (int pass = 0; pass < kPasses; ++pass) {
-    for (Index i = 0; i < m.vertexCapacity(); ++i)
-      if (m.isAlive(Vertex(i)) && mesh.role(Vertex(i)) != FacetRole::Corner) star.smooth(Vertex(i));
-    flipFacets(mesh, edgesOf(m), [](Face) {});
+  for (const Aim aim : {Aim::Round, Aim::Wide}) {
+    StarSmoothing star(mesh, aim);
+    for (int pass = 0; pass < kPasses; ++pass) {
+      for (Index i = 0; i < m.vertexCapacity(); ++i)
+        if (m.isAlive(Vertex(i)) && mesh.role(Vertex(i)) != FacetRole::Corner)
+          star.smooth(Vertex(i));
+      flipFacets(mesh, edgesOf(m), [](Face) {});
+    }
   }
 }
 

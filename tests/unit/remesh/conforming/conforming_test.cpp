@@ -93,6 +93,25 @@ TEST_CASE("conforming: the shape is the part's own at any number, and angles wid
   }
 }
 
+TEST_CASE("conforming: where facets have room, angles are wide on average, and none is narrow") {
+  const struct Case {
+    TriangleMesh part;
+    double times, mean, least;
+  } cases[] = {{shapes::drilledPlate(8, 0.5), 6, 45, 20},
+               {shapes::drilledPlate(8, 0.5), 10, 49, 25},
+               {shapes::filletedBar(4), 10, 39.5, 20},
+               {shapes::boxWithHole(), 4, 51.5, 28}};
+  for (const Case& wanted : cases) {
+    CAPTURE(wanted.mean);
+    const BuiltMesh built = buildMesh(wanted.part);
+    const double vertices = wanted.times * double(built.mesh.vertexCount());
+    const std::unique_ptr<FacetedMesh> mesh = conforming(built, vertices);
+    REQUIRE(mesh);
+    CHECK(anglesOf(*mesh).mean > wanted.mean);
+    CHECK(anglesOf(*mesh).least > wanted.least);
+  }
+}
+
 TEST_CASE("conforming: vertices that the shape does not need may go") {
   const BuiltMesh built = buildMesh(shapes::cube(6));
   const std::unique_ptr<FacetedMesh> mesh = conforming(built, 20);
