@@ -296,6 +296,7 @@ set(small
   src/remesh/schemes/follow.cpp
   src/remesh/schemes/guided.cpp
   src/remesh/schemes/isotropic.cpp
+  src/remesh/schemes/kept_edges.cpp
   src/remesh/schemes/land.cpp
   src/remesh/schemes/mirrored.cpp
   src/remesh/schemes/part_by_part.cpp

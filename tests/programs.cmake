@@ -183,6 +183,7 @@ add_executable(unit_tests
   tests/unit/remesh/schemes/edge_limits_test.cpp
   tests/unit/remesh/schemes/follow_test.cpp
   tests/unit/remesh/schemes/guided_test.cpp
+  tests/unit/remesh/schemes/kept_edges_test.cpp
   tests/unit/remesh/schemes/mirrored_test.cpp
   tests/unit/remesh/schemes/part_by_part_test.cpp
   tests/unit/remesh/schemes/remesh_test.cpp

@@ -59,6 +59,12 @@ constexpr std::array kRules = {
          "Each facet was meshed in its own plane, so that the shape is exactly the input's; other "
          "isotropic triangles would change it, or miss the number of vertices."},
     Rule{Decision::Surface,
+         "even-instead",
+         {is(Fact::EvenInstead)},
+         Candidate::Isotropic,
+         "The facets would have uneven triangles; isotropic ones keep the sharp edges and the "
+         "volume, and are hardly seen to be away."},
+    Rule{Decision::Surface,
          "isotropic-far-unfinished",
          {is(Fact::NumberReached), is(Fact::UnfinishedFar)},
          Candidate::Simplified,

@@ -209,6 +209,8 @@ class SurfaceCandidates {
       return isotropic().isReached()
                  ? isotropic().comparison().isConformingBetter(isotropic().mesh())
                  : isotropic().comparison().hasConforming();
+    if (fact == Fact::EvenInstead)
+      return isotropic().isReached() && isotropic().comparison().isEvenInstead(isotropic().mesh());
     if (fact == Fact::NumberReached) return isotropic().isReached();
     if (fact == Fact::FlatSidesRefined) return isotropic().comparison().refinesFlatSides();
     if (fact == Fact::UnfinishedFar) return isotropic().comparison().isUnfinishedFar();

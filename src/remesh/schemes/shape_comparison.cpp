@@ -8,10 +8,12 @@
 
 #include "base/place.h"
 #include "geometry/triangle.h"
+#include "original/curves/feature_detection.h"
 #include "original/curves/flat_regions.h"
 #include "original/curves/shape_angles.h"
 #include "remesh/quads/quads.h"
 #include "remesh/schemes/conformed.h"
+#include "remesh/schemes/kept_edges.h"
 #include "simplify/divide.h"
 
 namespace remesher {
@@ -28,6 +30,17 @@ constexpr Samples kGlimpse = {1000, 1};
 // with more, isotropic triangles are worth more than the last dents.
 constexpr double kMostDivided = 4;
 
+// Triangles are even if their smallest angles are so wide, in degrees: on average, of facets and of
+// isotropic ones, and all.
+constexpr double kEvenFacets = 40, kEvenIsotropic = 45, kEvenLeast = 12;
+// Facets need so many vertices for each of the original's before even triangles can be asked for.
+constexpr double kEnoughForEven = 3;
+// How far even triangles may be away where facets would be uneven, in units of kSeen, and where
+// they would be needles; by how much the volume may change, and what share of the sharp edges must
+// still be there, within kNearEdge.
+constexpr double kInsteadOfUneven = 2, kInsteadOfNeedles = 4;
+constexpr double kNeedlesMean = 30, kNeedlesLeast = 5;
+constexpr double kMostOfVolume = 1e-3, kMostOfEdges = 0.98, kNearEdge = 3;
 // By how much less, in degrees on average, the angles of a mesh of facets may be: its shape is
 // exact.
 constexpr double kHardlyLess = 2;
@@ -44,24 +57,34 @@ bool isPlain(const TriangleMesh& input, Textures textures) {
          std::none_of(input.attributes.begin(), input.attributes.end(), isDrawn);
 }
 
-// The mean of the triangles' smallest angles, in degrees.
-double meanAngleOf(const TriangleMesh& mesh) {
-  double mean = 0;
+// The triangles' smallest angles, in degrees.
+struct Evenness {
+  double mean = 0, least = 180;
+
+  void add(const Triangle& corners, double share) {
+    const double angle = degrees(minAngle(corners[0], corners[1], corners[2]));
+    mean += share * angle;
+    least = std::min(least, angle);
+  }
+  bool isEven(double onAverage) const { return mean >= onAverage && least >= kEvenLeast; }
+  bool hasNeedles() const { return mean < kNeedlesMean || least < kNeedlesLeast; }
+};
+
+Evenness evennessOf(const TriangleMesh& mesh) {
+  Evenness result;
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
     const auto at = [&](std::size_t k) { return mesh.positions[mesh.indices[i + k]]; };
-    mean += degrees(minAngle(at(0), at(1), at(2))) / double(mesh.triangleCount());
+    result.add({at(0), at(1), at(2)}, 1 / double(mesh.triangleCount()));
   }
-  return mean;
+  return result;
 }
 
-double meanAngleOf(const WorkingMesh& mesh) {
-  double sum = 0;
-  for (Index f = 0; f < mesh.mesh().faceCapacity(); ++f) {
-    if (!mesh.mesh().isAlive(Face(f))) continue;
-    const auto [a, b, c] = mesh.corners(Face(f));
-    sum += degrees(minAngle(a, b, c));
-  }
-  return sum / double(mesh.mesh().faceCount());
+Evenness evennessOf(const WorkingMesh& mesh) {
+  Evenness result;
+  for (Index f = 0; f < mesh.mesh().faceCapacity(); ++f)
+    if (mesh.mesh().isAlive(Face(f)))
+      result.add(mesh.corners(Face(f)), 1 / double(mesh.mesh().faceCount()));
+  return result;
 }
 
 // Adds vertices to a mesh of so many places, all at once or a third at a time; then, edges flip
@@ -90,8 +113,8 @@ std::optional<Followed> bestDivided(const Followed& followed, std::size_t places
   std::optional<Followed> plain = divided(followed, places, vertices, {});
   std::optional<Followed> flipped = divided(followed, places, vertices, textures);
   if (!plain || !flipped) return plain ? std::move(plain) : std::move(flipped);
-  return meanAngleOf(plain->mesh) >= meanAngleOf(flipped->mesh) ? std::move(plain)
-                                                                : std::move(flipped);
+  return evennessOf(plain->mesh).mean >= evennessOf(flipped->mesh).mean ? std::move(plain)
+                                                                        : std::move(flipped);
 }
 
 }  // namespace
@@ -109,11 +132,14 @@ ShapeComparison::ShapeComparison(const Prepared& original, const TriangleMesh& i
       isPlain_(isPlain(input, textures)),
       unseen_(kSeen * original.surface().diagonal()) {}
 
-// Whether the original has flat sides, on which each dent shows.
-bool ShapeComparison::hasFlats() {
+// Whether the original has flat sides or, as a turned part, facets about something round between
+// sharp rims: there each dent shows.
+bool ShapeComparison::isPart() {
+  if (isPart_) return *isPart_;
   const BuiltMesh& built = original_.surface().built();
-  if (!hasFlats_) hasFlats_ = !findFlatRegions(built.mesh, built.positions, 0).empty();
-  return *hasFlats_;
+  isPart_ = !findFlatRegions(built.mesh, built.positions, 0).empty() ||
+            (isFaceted(built) && !detectFeatures(built.mesh, built.positions, {}).empty());
+  return *isPart_;
 }
 
 // Whether the target is about the original's own number of places: within kCountTolerance, rounded.
@@ -141,12 +167,12 @@ bool ShapeComparison::hasEnough() {
 }
 
 double ShapeComparison::muchNearer() {
-  return isPlain_ && !hasFlats() ? kMuchNearerPlain : kMuchNearer;
+  return isPlain_ && !isPart() ? kMuchNearerPlain : kMuchNearer;
 }
 
 // Plain models without flat sides may be off by more.
 double ShapeComparison::seenOnAverage() {
-  return isPlain_ && !hasFlats() ? kMuchNearerPlain * unseen_ : unseen_;
+  return isPlain_ && !isPart() ? kMuchNearerPlain * unseen_ : unseen_;
 }
 
 // With its own number of vertices or more a model with flat sides can do without any dent, however
@@ -156,10 +182,13 @@ Away ShapeComparison::measured(const WorkingMesh& isotropic) {
   const HalfedgeMesh& mesh = original_.surface().mesh();
   const VertexData<Vec3>& positions = original_.surface().positions();
   const MeshTree tree(isotropic.mesh(), isotropic.positions());
-  if (hasEnough() && hasFlats()) {
+  if (hasEnough() && isPart()) {
+    const MeshTree own(mesh, positions);
     const Away lost = awayFrom(tree, mesh, positions);
-    const Away made = awayFrom({mesh, positions}, isotropic.mesh(), isotropic.positions());
-    return {lost.rms, std::max(lost.farthest, made.farthest)};
+    const Away made = awayFrom(own, isotropic.mesh(), isotropic.positions());
+    const double cut = std::max(farthestOfRims({mesh, positions}, tree),
+                                farthestOfRims({isotropic.mesh(), isotropic.positions()}, own));
+    return {lost.rms, std::max({lost.farthest, made.farthest, cut})};
   }
   const double glimpsed = awayFrom(tree, mesh, positions, kGlimpse).rms;
   return {
@@ -183,7 +212,7 @@ std::optional<Followed>& ShapeComparison::simplified() {
   const std::size_t vertices = original_.places(), more = vertices > own ? vertices - own : 0;
   // Edges of joints must not be divided.
   if (more > 0 && built.keepsJoints) return simplified_;
-  const bool isNearOwn = double(vertices) <= kMostDivided * double(own) && hasFlats();
+  const bool isNearOwn = double(vertices) <= kMostDivided * double(own) && isPart();
   if (!isWorthFollowing(built, vertices) || (more > 0 && !isOwn() && !isNearOwn))
     return simplified_;
   simplified_ = follow(built, input_, vertices - more, textures_);
@@ -192,7 +221,7 @@ std::optional<Followed>& ShapeComparison::simplified() {
 }
 
 std::optional<Followed>& ShapeComparison::conforming() {
-  if (std::exchange(isConforming_, true) || !hasFlats()) return conforming_;
+  if (std::exchange(isConforming_, true) || !isPart()) return conforming_;
   const BuiltMesh& built = original_.surface().built();
   conforming_ = conformed(built, input_, original_.places(), textures_);
   return conforming_;
@@ -201,10 +230,29 @@ std::optional<Followed>& ShapeComparison::conforming() {
 bool ShapeComparison::hasConforming() { return conforming().has_value(); }
 
 bool ShapeComparison::isConformingBetter(const WorkingMesh& isotropic) {
-  if (!hasFlats()) return false;
-  if (isSeen(isotropic)) return conforming().has_value();
+  if (!isPart()) return false;
+  if (isSeen(isotropic)) return conforming() && !isEvenInstead(isotropic);
   return isFaceted(original_.surface().built()) && conforming() &&
-         meanAngleOf(conforming()->mesh) >= meanAngleOf(isotropic) - kHardlyLess;
+         evennessOf(conforming()->mesh).mean >= evennessOf(isotropic).mean - kHardlyLess;
+}
+
+bool ShapeComparison::isEvenInstead(const WorkingMesh& isotropic) {
+  if (!isEvenInstead_) isEvenInstead_ = conforming() && keepsPart(isotropic);
+  return *isEvenInstead_;
+}
+
+bool ShapeComparison::keepsPart(const WorkingMesh& isotropic) {
+  const BuiltMesh& built = original_.surface().built();
+  const auto own = double(distinctPositions(built.mesh, built.positions));
+  const Evenness facets = evennessOf(conforming()->mesh);
+  if (double(original_.places()) < kEnoughForEven * own || facets.isEven(kEvenFacets)) return false;
+  const double most = facets.hasNeedles() ? kInsteadOfNeedles : kInsteadOfUneven;
+  if (awayOf(isotropic).farthest > most * unseen_ || !evennessOf(isotropic).isEven(kEvenIsotropic))
+    return false;
+  const Surface original{built.mesh, built.positions};
+  const Surface made{isotropic.mesh(), isotropic.positions()};
+  return std::abs(changeOfVolume(original, made)) <= kMostOfVolume &&
+         shareOfSharpEdges(original, made, kNearEdge * unseen_) >= kMostOfEdges;
 }
 
 bool ShapeComparison::endsEarly(const WorkingMesh& unfinished) {
@@ -218,7 +266,7 @@ bool ShapeComparison::endsEarly(const WorkingMesh& unfinished) {
 }
 
 bool ShapeComparison::refinesFlatSides() {
-  return original_.places() > original_.surface().built().mesh.vertexCount() && hasFlats();
+  return original_.places() > original_.surface().built().mesh.vertexCount() && isPart();
 }
 
 bool ShapeComparison::isSeen(const WorkingMesh& isotropic) { return isSeen(awayOf(isotropic)); }

@@ -41,6 +41,9 @@ class ShapeComparison {
   // triangles, because these are seen to be away or hardly more even.
   bool isConformingBetter(const WorkingMesh& isotropic);
   bool hasConforming();
+  // Whether there are vertices enough for even triangles, which the facets have not, and finished
+  // isotropic ones keep the part but for dents that are hardly seen.
+  bool isEvenInstead(const WorkingMesh& isotropic);
   // Whether more vertices are wanted than the original has, and flat sides show each dent.
   bool refinesFlatSides();
 
@@ -53,7 +56,8 @@ class ShapeComparison {
 
   bool isOwn();
   bool hasEnough();
-  bool hasFlats();
+  bool isPart();
+  bool keepsPart(const WorkingMesh& isotropic);
   bool isSeen(const Away& away);
   const Away& awayOf(const WorkingMesh& isotropic);
   Away measured(const WorkingMesh& isotropic);
@@ -67,7 +71,7 @@ class ShapeComparison {
   Textures textures_;
   bool isPlain_;   // no textures, no colours, no second group
   double unseen_;  // the largest distance at any one point that is not seen, model units
-  std::optional<bool> isOwn_, hasEnough_, hasFlats_;
+  std::optional<bool> isOwn_, hasEnough_, isPart_, isEvenInstead_;
   Unfinished unfinished_ = Unfinished::Unknown;
   std::optional<Away> finished_;  // of the finished isotropic triangles
   bool isSimplified_ = false;     // whether simplification was tried

@@ -8,6 +8,7 @@
 #include "measure/hausdorff.h"
 #include "measure/mesh_report.h"
 #include "measure/self_intersections.h"
+#include "remesh/schemes/kept_edges.h"
 #include "remesh/schemes/remesh.h"
 #include "remesh/schemes/shape_comparison.h"
 #include "support/parts.h"
@@ -30,31 +31,34 @@ double error(const TriangleMesh& original, const TriangleMesh& result) {
   return 100 * std::max(d.toResult.maximum, d.toOriginal.maximum) / d.diagonal;
 }
 
-// A cup turned about its axis: walls of 48 facets, thinner than isotropic triangles are long.
-TriangleMesh cup() {
-  const std::vector<Vec2> profile = {{10, 0}, {10, 8}, {9, 8}, {9, 1}};  // radius, height
-  constexpr Index kSides = 48;
+// An outline of radii and heights turned about an axis. An end without a radius is on the axis, and
+// others are joined to each other.
+TriangleMesh turnedAbout(const std::vector<Vec2>& outline, Index sides) {
   TriangleMesh mesh;
-  const auto onRim = [](const Vec2& p, Index i) {
-    const Vec3 unit = shapes::onCircle(int(i), int(kSides));
-    return Vec3(p.x() * unit.x(), p.x() * unit.y(), p.y());
-  };
-  for (const Vec2& p : profile)
-    for (Index i = 0; i < kSides; ++i) shapes::addVertex(mesh, onRim(p, i));
-  const Index bottom = Index(mesh.positions.size()), inside = bottom + 1;
-  shapes::addVertex(mesh, {0, 0, 0});
-  shapes::addVertex(mesh, {0, 0, 1});
-  for (Index i = 0; i < kSides; ++i) {
-    const Index next = (i + 1) % kSides;
-    shapes::addTriangle(mesh, bottom, next, i);
-    shapes::addTriangle(mesh, inside, 3 * kSides + i, 3 * kSides + next);
-    for (Index row = 0; row < 3 * kSides; row += kSides) {
-      shapes::addTriangle(mesh, row + i, row + next, row + kSides + next);
-      shapes::addTriangle(mesh, row + i, row + kSides + next, row + kSides + i);
+  std::vector<std::vector<Index>> rings;
+  for (const Vec2& p : outline) {
+    std::vector<Index>& ring = rings.emplace_back();
+    for (Index i = 0; i < (p.x() == 0 ? 1 : sides); ++i) {
+      const Vec3 unit = shapes::onCircle(int(i), int(sides));
+      ring.push_back(shapes::addVertex(mesh, {p.x() * unit.x(), p.x() * unit.y(), p.y()}));
+    }
+  }
+  const bool isClosed = rings.front().size() == 1;
+  for (std::size_t k = 0; k + isClosed < rings.size(); ++k) {
+    const std::vector<Index>&low = rings[k], &high = rings[(k + 1) % rings.size()];
+    for (Index i = 0; i < sides; ++i) {
+      const auto at = [&](const std::vector<Index>& ring, Index j) {
+        return ring[j % ring.size()];
+      };
+      if (low.size() > 1) shapes::addTriangle(mesh, at(low, i), at(low, i + 1), at(high, i));
+      if (high.size() > 1) shapes::addTriangle(mesh, at(low, i + 1), at(high, i + 1), at(high, i));
     }
   }
   return mesh;
 }
+
+// Walls of 48 facets, thinner than isotropic triangles are long.
+TriangleMesh cup() { return turnedAbout({{0, 0}, {10, 0}, {10, 8}, {9, 8}, {9, 1}, {0, 1}}, 48); }
 
 }  // namespace
 
@@ -75,10 +79,53 @@ TEST_CASE("conformed: a part with more vertices than its own never has less of i
   }
 }
 
+TEST_CASE("conformed: a turned part has its shape at any number, however little of it is flat") {
+  const TriangleMesh tube = turnedAbout({{8, 0}, {10, 0}, {10, 40}, {8, 40}}, 24);
+  const TriangleMesh shaft = turnedAbout({{0, 0}, {5, 0}, {5, 10}, {8, 10}, {8, 30}, {0, 30}}, 32);
+  for (const TriangleMesh& part : {tube, shaft}) {
+    const MeshReport own = inspectMesh(part);
+    for (const double times : {1.02, 1.1, 2.0, 4.0}) {
+      CAPTURE(times);
+      const auto vertices = Index(std::lround(times * double(own.vertices)));
+      const RemeshOutcome made = remeshed(part, vertices, Prefer::Auto);
+      CHECK(inspectMesh(made.mesh).vertices == vertices);
+      CHECK(error(part, made.mesh) < 1e-6);
+    }
+  }
+}
+
+TEST_CASE("conformed: isotropic triangles that are taken cut no rim by more than is seen") {
+  const TriangleMesh part = turnedAbout({{0, 0}, {9, 0}, {10, 1}, {10, 19}, {9, 20}, {0, 20}}, 60);
+  for (const Index vertices : {1600U, 2420U, 3200U}) {
+    CAPTURE(vertices);
+    CHECK(error(part, remeshed(part, vertices, Prefer::Auto).mesh) < 1.05 * 100 * kSeen);
+  }
+}
+
 TEST_CASE("conformed: with enough vertices a thin wall of facets has no needle") {
   const RemeshOutcome made = remeshed(cup(), 4 * 194, Prefer::Auto);
   CHECK(inspectMesh(made.mesh).minAngle.mean > 40);
   CHECK(inspectMesh(made.mesh).minAngle.worst > 15);
+}
+
+TEST_CASE("conformed: facets that would be uneven give way to even triangles that keep the part") {
+  const TriangleMesh flange =
+      turnedAbout({{4, 0}, {20, 0}, {20, 5}, {10, 5}, {10, 25}, {4, 25}}, 72);
+  const BuiltMesh built = buildMesh(flange);
+  const auto ruleAt = [&](Index vertices) {
+    return remeshed(flange, vertices, Prefer::Auto).chosen.rule;
+  };
+  CHECK(ruleAt(2 * 432) == "facets-conforming");  // too few for even triangles
+  const RemeshOutcome made = remeshed(flange, 4 * 432, Prefer::Auto);
+  CHECK(made.chosen.rule == "even-instead");
+  const MeshReport report = inspectMesh(made.mesh);
+  CHECK(report.minAngle.mean > 45);
+  CHECK(report.minAngle.worst > 12);
+  CHECK(error(flange, made.mesh) < 0.2);
+  const BuiltMesh result = buildMesh(made.mesh);
+  const Surface original{built.mesh, built.positions}, other{result.mesh, result.positions};
+  CHECK(shareOfSharpEdges(original, other, 1.5e-3 * 47) > 0.98);
+  CHECK(std::abs(changeOfVolume(original, other)) < 1e-3);
 }
 
 TEST_CASE("conformed: with shape preferred a part has no needle at many vertices") {
