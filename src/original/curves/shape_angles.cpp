@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <utility>
 
 #include "geometry/fast_trigonometry.h"
@@ -101,12 +100,18 @@ double flatTolerance(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions
   // diagonal; a triangle on a round surface is off its neighbor's plane by more of an edge.
   constexpr double kDigits = 4e-6, kOfEdges = 1e-3;
   const double step = coordinateStep(positions.values());
-  const std::vector<double> lengths = edgeLengths(mesh, positions);
-  if (lengths.empty()) return step;
+  double sum = 0;
+  std::size_t edges = 0;
+  for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
+    const Halfedge h(i);
+    if (!mesh.isEdge(h)) continue;
+    sum += distance(positions[mesh.origin(h)], positions[mesh.tip(h)]);
+    ++edges;
+  }
+  if (edges == 0) return step;
   Vec3 low = positions.values().front(), high = low;
   for (const Vec3& p : positions.values()) low = low.cwiseMin(p), high = high.cwiseMax(p);
-  const double mean = std::accumulate(lengths.begin(), lengths.end(), 0.0) / double(lengths.size());
-  return std::max(step, std::min(kDigits * (high - low).norm(), kOfEdges * mean));
+  return std::max(step, std::min(kDigits * (high - low).norm(), kOfEdges * sum / double(edges)));
 }
 
 double coplanarShare(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions) {
