@@ -13,6 +13,7 @@ import { withNormals } from '../../web/triangles/normals.js';
 import { outlineOf, polygonsOf } from '../../web/triangles/polygons.js';
 import { soupOf } from '../../web/triangles/soup.js';
 import { colorByAngle } from '../../web/triangles/triangle_angles.js';
+import { clearance } from '../../web/view/clearance.js';
 import { torus } from '../support/shape_files.js';
 import { torus as torusArrays } from '../support/shapes.js';
 
@@ -107,4 +108,16 @@ test('normals follow bends, and break at creases', async () => {
       sum + value * smooth.attributes.normal.getComponent(i, k), 0);
     assert.ok(cosine > 0.999, `${cosine}`);
   });
+});
+
+test('a model that fills its part of the canvas is behind neither toolbar nor edge', () => {
+  const bar = 54;  // pixels from the toolbar's upper edge to the canvas's lower one
+  for (let height = 180; height <= 1200; height += 20) {
+    const { free, lift } = clearance(height);
+    const [top, bottom] = [-1, 1].map((side) => height * (0.5 - lift + side * free / 2));
+    assert.ok(top >= 0 && bottom <= height - bar, `${height}: from ${top} to ${bottom}`);
+    assert.ok(free >= 0.5, `${free} of ${height}`);
+  }
+  const { free, lift } = clearance(0);  // a canvas that is not laid out yet
+  assert.ok(free > 0 && Number.isFinite(lift));
 });

@@ -22,8 +22,10 @@ export class Eye {
   #onMove;
   /** The width of a pane as a share of its height. */
   aspect = 1;
-  /** The share of the height in the middle that the toolbar and the tags leave free. */
+  /** The share of the height that the toolbar and the tags leave free, and how far the middle of
+   * that is above the middle of the pane. */
   free = 1;
+  lift = 0;
 
   /** @param {HTMLCanvasElement} canvas @param {() => void} onMove */
   constructor(canvas, onMove) {
@@ -80,7 +82,8 @@ export class Eye {
   aim(aspect) {
     const half = Math.tan(MathUtils.degToRad(fieldOfView / 2)) / Math.min(1, aspect);
     this.camera.fov = MathUtils.radToDeg(2 * Math.atan(half));
-    this.camera.aspect = aspect;
+    this.camera.setViewOffset(1, 1, 0, this.lift, 1, 1);
+    this.camera.aspect = aspect;  // which the offset has set, too
     this.camera.updateProjectionMatrix();
     return half;
   }

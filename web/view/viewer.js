@@ -6,6 +6,7 @@ import {
   WebGLRenderer,
 } from 'three';
 import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js';
+import { clearance } from './clearance.js';
 import { Eye } from './eye.js';
 import { ModelView } from './model_view.js';
 import { Overlays } from './overlays.js';
@@ -18,9 +19,6 @@ import { Overlays } from './overlays.js';
 /** @typedef {{ x: number, width: number }} Span of the canvas, in CSS pixels */
 /** @typedef {{ side: Side, cut: Span, pane: Span }} Pane */
 /** @typedef {[number, number, number]} Triple */
-
-/** CSS pixels that the toolbar takes below a model, and its tag about as many above. */
-const toolbarHeight = 56;
 
 const clayColors = { original: '#c9c2b8', baseline: '#c3b8cc', result: '#a9c9c4' };
 
@@ -106,7 +104,7 @@ export class Viewer {
     const { clientWidth, clientHeight } = this.#canvas;
     const width = clientWidth * (this.#compare === 'side' ? 0.5 : 1);
     this.eye.aspect = width && clientHeight ? width / clientHeight : 1;
-    this.eye.free = Math.max(0.5, 1 - 2 * toolbarHeight / (clientHeight || 1));
+    Object.assign(this.eye, clearance(clientHeight));
   }
 
   /** Draws in the next frame; several calls before then draw once. */
