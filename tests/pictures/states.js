@@ -8,6 +8,11 @@ const measured = (page) => page.waitForSelector('#distances:not([hidden])',
   { state: 'attached' });
 const click = (page, selector) => page.locator(selector).dispatchEvent('click');
 
+/** On a phone the part for experts is a sheet, which is closed at first. */
+const showExpert = (page) => page.evaluate(() => {
+  document.getElementById('expert').open = true;
+});
+
 /** Chooses a purpose, and waits for its result. */
 async function choose(page, purpose) {
   await click(page, `#purpose-${purpose}`);
@@ -27,8 +32,10 @@ export const states = {
   mechanical: { hash: '#model=gear', enter: (page) => click(page, '#features') },
   scan: { hash: '#model=scan', enter: (page) => click(page, '#landmark-boundary') },
   textured: { hash: '#model=vase' },
-  baked: { hash: '#model=vase&textures=bake', enter: (page) =>
-    page.locator('.maps').scrollIntoViewIfNeeded() },
+  baked: { hash: '#model=vase&textures=bake', enter: async (page) => {
+    await showExpert(page);
+    await page.locator('.maps').scrollIntoViewIfNeeded();
+  } },
   map: { hash: '#model=vase&textures=bake', enter: (page) => click(page, '.map >> nth=0') },
   german: { hash: '#model=scan&vertices=20', enter: async (page) => {
     await click(page, '[data-do=settings]');
@@ -44,6 +51,7 @@ export const states = {
   } },
   report: { hash: '#model=bunny', enter: async (page) => {
     await measured(page);
+    await showExpert(page);
     await click(page, '.command > summary');
     await page.locator('.takeaway').scrollIntoViewIfNeeded();
   } },
@@ -52,6 +60,7 @@ export const states = {
     await click(page, '#preset-accurate');
     await page.waitForSelector('.history-entry', { state: 'attached' });
     await settled(page);
+    await showExpert(page);
     await page.selectOption('#baseline', '1');
     await settled(page);
     await page.locator('.history').scrollIntoViewIfNeeded();
