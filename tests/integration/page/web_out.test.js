@@ -12,7 +12,7 @@ import { decode } from 'fast-png';
 import { unzipSync } from 'fflate';
 import { inspect } from 'remesher';
 
-import { drop, opened, saved, settled, visit } from '../../support/browser_page.js';
+import { drop, opened, reportRow, saved, settled, visit } from '../../support/browser_page.js';
 import { builtPage } from '../../support/built_page.js';
 import { GltfMaker, validate } from '../../support/gltf.js';
 import { png } from '../../support/png.js';
@@ -48,6 +48,21 @@ test('the report is JSON', async () => {
   const { name, bytes } = await saved(page, button('Report'));
   assert.equal(name, 'vase-1000-report.json');
   assert.equal(JSON.parse(bytes).output.vertices, 1000);
+});
+
+test('the report card says what the page shows, and the size of the saved file', async () => {
+  const { name, bytes } = await saved(page, button('Report card'));
+  assert.equal(name, 'vase-1000-card.md');
+  const lines = Object.fromEntries(String(bytes).split('\n').filter((line) => line.startsWith('| '))
+    .map((line) => line.split('|').map((cell) => cell.trim()))
+    .map(([, label, before, now]) => [label, [before, now]]));
+  for (const label of ['Triangles', 'Vertices', 'Closed']) {
+    assert.deepEqual(lines[label], await reportRow(page, label), label);
+  }
+  const label = await page.textContent('#download');
+  assert.equal(`Download GLB${lines['Size of the file'][1]}`, label);
+  const [, told] = await reportRow(page, 'Largest distance');
+  assert.ok(lines['Largest distance'][1].startsWith(`${Number(told.split(' ')[0])} %`), told);
 });
 
 test('pictures are twice the size, with the background or without', async () => {
