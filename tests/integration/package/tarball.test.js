@@ -25,7 +25,8 @@ for (const resolution of ['nodenext', 'bundler']) {
   test(`a TypeScript program finds the types (${resolution})`, () => {
     linkPeers(folder);
     write('typed.ts', `
-      import { init, remesh, RemeshError } from 'remesher';
+      import { init, remesh, remeshFile, RemeshError } from 'remesher';
+      import { cardRows, cardText } from 'remesher/card';
       import type { RemeshReport } from 'remesher';
       import wasmUrl from 'remesher/remesher.wasm';
       import arraysUrl from 'remesher/remesher_arrays.wasm';
@@ -46,6 +47,10 @@ for (const resolution of ['nodenext', 'bundler']) {
       const { mesh: { positions }, report } = await remesh(mesh, { ...options,
         onProgress: ({ phase, fraction }) => console.log(phase.length, fraction.toFixed(2)) });
       const count: number = positions.length + report.output.vertices;
+      const { report: { card } } = await remeshFile(new Uint8Array(8), { vertices: 10 });
+      const page: string = cardText(card, { language: 'de', title: 'a' });
+      // @ts-expect-error: there is no card in that language
+      cardRows(card, 'xx');
       const geometry: BufferGeometry = (await remeshGeometry(new BufferGeometry())).geometry;
       const whole: RemeshReport = (await remeshObject(new Group(), { ratio: 0.5 })).report;
       const made: Document = await new Document().transform(transform({ vertices: 10 }));
@@ -54,7 +59,7 @@ for (const resolution of ['nodenext', 'bundler']) {
       const pool = new Pool({ size: 2 });
       const inPool: Promise<RemeshReport> = pool.remesh(mesh, { ratio: 2 }).then((r) => r.report);
       pool.close();
-      console.log(geometry, whole, made, inPool);
+      console.log(page, geometry, whole, made, inPool);
       const address: string = wasmUrl;
       await initArrays({ wasmUrl: arraysUrl });
       await init({ wasmUrl, arrays: { wasmUrl: arraysUrl } });
