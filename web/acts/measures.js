@@ -49,7 +49,6 @@ export function showSize(page, onUnit) {
   });
   const isAssumed = name !== '' && !session.isGltf && !knownUnit(session);
   line.replaceChildren(`${sides} `, session.isGltf ? name : menu, ...(isAssumed
-    ? [element('small', { className: 'quiet', title: t('unit.assumed.why') }, t('unit.assumed'))]
-    : []));
+    ? [element('small', { className: 'quiet' }, t('unit.assumed'))] : []));
   tellPanel(page);
 }

@@ -347,8 +347,6 @@ export default {
   'unit.none': 'ohne Einheit',
   'unit.some': 'Einheiten',
   'unit.assumed': 'angenommen',
-  'unit.assumed.why': 'Die Datei nennt keine Einheit. Solche Zahlen sind meist Millimeter; wenn '
-    + 'nicht, wählen Sie eine andere Einheit.',
   'expert': 'Experte: alle Optionen, Zahlen, Formate',
   'verdict': 'Urteil',
   'verdict.closed': 'Geschlossen: keine Löcher.',

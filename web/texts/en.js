@@ -355,8 +355,6 @@ export default {
   'unit.none': 'no unit',
   'unit.some': 'units',
   'unit.assumed': 'assumed',
-  'unit.assumed.why': 'The file states no unit. Numbers like these are mostly millimetres; choose '
-    + 'another unit if they are not.',
   'expert': 'Expert: all options, figures, formats',
   'verdict': 'Verdict',
   'verdict.closed': 'Closed: no holes.',

@@ -352,8 +352,6 @@ export default {
   'unit.none': 'sans unité',
   'unit.some': 'unités',
   'unit.assumed': 'supposé',
-  'unit.assumed.why': 'Le fichier n’indique pas d’unité. De tels nombres sont le plus souvent des '
-    + 'millimètres ; sinon, choisissez une autre unité.',
   'expert': 'Expert : options, chiffres, formats',
   'verdict': 'Verdict',
   'verdict.closed': 'Fermé : aucun trou.',

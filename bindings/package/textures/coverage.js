@@ -3,12 +3,14 @@
 
 import { loadBuffers, slice } from '../codecs/buffer_views.js';
 import { openContainer } from '../codecs/gltf_container.js';
-import { GltfData } from '../codecs/gltf_data.js';
 
 /** @typedef {import('../base/messages.js').NamedBytes} NamedBytes */
 
-const arrays = /** @type {Record<number, any>} */ (
-  { 5121: Uint8Array, 5123: Uint16Array, 5125: Uint32Array });
+const float = 5126, triangles = 4;
+
+/** Bytes and reader of each type of component that painted files have. */
+const readers = /** @type {Record<number, [number, string]>} */ ({ 5121: [1, 'getUint8'],
+  5123: [2, 'getUint16'], 5125: [4, 'getUint32'], [float]: [4, 'getFloat32'] });
 
 /** The numbers of meshes that stand for finer ones from afar. @param {any} tree */
 function coarserMeshes(tree) {
@@ -21,18 +23,33 @@ function coarserMeshes(tree) {
 const textureOf = (material) => material?.pbrMetallicRoughness?.baseColorTexture?.index
   ?? material?.normalTexture?.index;
 
-/** The area of a primitive's triangles in the square. @param {GltfData} data
- * @param {any} primitive */
-function areaOf(data, { attributes, indices }) {
-  const texcoords = data.floats(attributes.TEXCOORD_0);
-  const { componentType } = data.tree.accessors[indices];
-  const corners = new arrays[componentType](data.rows(indices).buffer);
+/**
+ * Reads a number of an accessor that is not sparse: component k of element i.
+ * @param {any} tree @param {Uint8Array[]} buffers @param {number} number
+ * @returns {{ count: number, read: (i: number, k: number) => number }}
+ */
+function accessorOf(tree, buffers, number) {
+  const { bufferView, byteOffset = 0, componentType, count } = tree.accessors[number];
+  const view = tree.bufferViews[bufferView];
+  const bytes = slice(buffers[view.buffer], view);
+  const data = new DataView(bytes.buffer, bytes.byteOffset + byteOffset);
+  const [size, name] = readers[componentType];
+  const step = view.byteStride ?? size * (componentType === float ? 2 : 1);
+  return { count, read: (i, k) =>
+    /** @type {any} */ (data)[name](i * step + k * size, true) };
+}
+
+/** The area of a primitive's triangles in the square.
+ * @param {(number: number) => ReturnType<typeof accessorOf>} open @param {any} primitive */
+function areaOf(open, { attributes, indices }) {
+  const { read } = open(attributes.TEXCOORD_0);
+  const corners = open(indices);
   let area = 0;
-  for (let i = 0; i + 2 < corners.length; i += 3) {
-    const [a, b, c] = [corners[i], corners[i + 1], corners[i + 2]];
-    const [u, v] = [texcoords[2 * a], texcoords[2 * a + 1]];
-    area += Math.abs((texcoords[2 * b] - u) * (texcoords[2 * c + 1] - v)
-      - (texcoords[2 * c] - u) * (texcoords[2 * b + 1] - v)) / 2;
+  for (let i = 0; i + 2 < corners.count; i += 3) {
+    const [a, b, c] = [0, 1, 2].map((k) => corners.read(i + k, 0));
+    const [u, v] = [read(a, 0), read(a, 1)];
+    area += Math.abs((read(b, 0) - u) * (read(c, 1) - v)
+      - (read(c, 0) - u) * (read(b, 1) - v)) / 2;
   }
   return area;
 }
@@ -47,18 +64,22 @@ export function coverageOf([{ name, bytes }, ...resources]) {
   const { text, chunk } = openContainer(bytes);
   const tree = JSON.parse(text);
   const buffers = loadBuffers(tree, chunk, { name, resources });
-  const data = new GltfData(tree, (tree.bufferViews ?? []).map((/** @type {any} */ view) =>
-    slice(buffers[view.buffer], view)));
+  const open = (/** @type {number} */ number) => accessorOf(tree, buffers, number);
+  const canRead = (/** @type {number | undefined} */ number) => {
+    const { bufferView, sparse, componentType } = tree.accessors?.[number ?? -1] ?? {};
+    return bufferView !== undefined && !sparse && componentType in readers;
+  };
   const coarser = coarserMeshes(tree);
   /** @type {Map<number, number>} */
   const areas = new Map();
   for (const [number, mesh] of (tree.meshes ?? []).entries()) {
     for (const primitive of coarser.has(number) ? [] : mesh.primitives) {
       const texture = textureOf(tree.materials?.[primitive.material]);
-      const { attributes: { TEXCOORD_0: texcoords }, indices } = primitive;
-      if (texture === undefined || texcoords === undefined || indices === undefined) continue;
-      if (!data.isFloats(texcoords) || !data.isPlain(indices)) continue;
-      areas.set(texture, (areas.get(texture) ?? 0) + areaOf(data, primitive));
+      const { mode = triangles, attributes: { TEXCOORD_0: texcoords }, indices } = primitive;
+      if (texture === undefined || mode !== triangles) continue;
+      if (!canRead(texcoords) || !canRead(indices)) continue;
+      if (tree.accessors[texcoords].componentType !== float) continue;
+      areas.set(texture, (areas.get(texture) ?? 0) + areaOf(open, primitive));
     }
   }
   const sum = [...areas.values()].reduce((all, area) => all + area, 0);
