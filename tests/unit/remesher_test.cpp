@@ -125,6 +125,18 @@ TEST_CASE("remesher: flat sides get the same quads wherever they are and in ever
   areSame(quadsOf(finer, 26), shapes::scaled(quadsOf(smaller, 26), 1e4));
 }
 
+TEST_CASE("remesher: the outline of a flat sheet is not cut off, whatever the number") {
+  TriangleMesh sheet;  // a square with a round hole
+  shapes::addSheet(sheet, 16, 1, [](int k, int row) {
+    const Vec3 out = shapes::onCircle(k, 16);
+    return row == 0 ? Vec3(0.4 * out) : Vec3(out / out.cwiseAbs().maxCoeff());
+  });
+  for (Index vertices = 32; vertices < 40; ++vertices) {
+    CAPTURE(vertices);
+    CHECK(remesh(sheet, toVertices(vertices)).report.fidelity->hausdorff < 0.051);
+  }
+}
+
 TEST_CASE("hostile: a wild point takes nothing from the rest, and is said") {
   for (const double radii : {10.0, 1e6}) {
     CAPTURE(radii);

@@ -157,7 +157,8 @@ bool hasLines(const TriangleMesh& mesh) {
   return false;
 }
 
-// Samples lie away from a triangle's corners, for vertices may have stayed there.
+// Samples lie away from a triangle's corners, for vertices may have stayed there. Where the outline
+// of a flat surface was cut off only its border is away.
 Away awayFrom(const MeshTree& other, const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
               const Samples& samples) {
   constexpr double kFar = 2.0 / 3, kNear = 1.0 / 6;
@@ -178,6 +179,13 @@ Away awayFrom(const MeshTree& other, const HalfedgeMesh& mesh, const VertexData<
       farthest = std::max(farthest, nearest.distance);
       sum += share * nearest.distance * nearest.distance;
       total += share;
+    }
+    for (int k = 0; k < 3; ++k) {
+      const Halfedge h = HalfedgeMesh::halfedge(Face(f), k);
+      if (!mesh.isBoundary(h)) continue;
+      const Vec3 &begin = p[mesh.origin(h)], &end = p[mesh.origin(HalfedgeMesh::next(h))];
+      for (const double t : {0.0, 0.25, 0.5, 0.75})
+        farthest = std::max(farthest, other.nearest(begin + t * (end - begin), last).distance);
     }
   }
   return {total > 0 ? std::sqrt(sum / total) : 0, farthest};
