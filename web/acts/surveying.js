@@ -99,8 +99,11 @@ export class Surveying {
   async shown(side, isDraft = false) {
     const { session, stage: { viewer } } = this.#page;
     if (side !== 'baseline') this.distances = null;
-    const soup = viewer?.view(side)?.soup() ?? null;
-    const isAsked = soup?.indices.length && (side === 'original' || soup.polygons);
+    const view = viewer?.view(side);
+    const soup = view?.soup() ?? null;
+    // Finding the edges of what is too large to be drawn whole takes as long as opening it.
+    const isAsked = soup?.indices.length && !view?.thinned
+      && (side === 'original' || soup.polygons);
     // The core copies what it is asked about before the worker gets it.
     const finding = isAsked ? session.edgesOf(soup) : null;
     const buffers = soup ? [soup.positions.buffer, soup.indices.buffer] : [];
@@ -144,6 +147,9 @@ export class Surveying {
     const timer = setTimeout(() => isCurrent() && this.#setFaults(null, { kind: 'sought' }),
       patience);
     try {
+      const whole = this.#page.stage.viewer?.view('original');
+      const edges = whole?.thinned ? await session.edgesOf(whole.soup()) : null;
+      if (edges && isCurrent()) await this.#showEdges(edges);
       const faults = await session.faults();
       if (isCurrent()) this.#setFaults(faults, null);
     } catch (error) {
