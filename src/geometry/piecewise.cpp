@@ -89,8 +89,11 @@ double Piece::radius() const {
   return std::sqrt(squared);
 }
 
-void cut(const Piece& piece, const Triangle& over, double least, std::vector<Piece>& pieces) {
-  if (piece.corners().size() > kManyCorners) return addFan(piece, pieces);
+bool cutOver(const Piece& piece, const Triangle& over, double least, std::vector<Piece>& pieces) {
+  if (piece.corners().size() > kManyCorners) {
+    addFan(piece, pieces);
+    return true;
+  }
   Piece inside = piece;
   bool isCut = false;
   for (std::size_t side = 0; side < 3; ++side) {
@@ -102,10 +105,18 @@ void cut(const Piece& piece, const Triangle& over, double least, std::vector<Pie
     inside = both.below;
     isCut = true;
   }
-  if (isCut) return pieces.push_back(inside);
+  if (isCut) pieces.push_back(inside);
+  return isCut;
+}
+
+void halve(const Piece& piece, std::vector<Piece>& pieces) {
   const Parts both = cutAt(piece, across(piece));
   pieces.push_back(both.below);
   pieces.push_back(both.above);
+}
+
+void cut(const Piece& piece, const Triangle& over, double least, std::vector<Piece>& pieces) {
+  if (!cutOver(piece, over, least, pieces)) halve(piece, pieces);
 }
 
 }  // namespace remesher

@@ -43,8 +43,13 @@ struct SearchLimits {
   std::size_t mostPieces = 0;  // after this many pieces the next undecided one fails
 };
 
-// Cuts a piece into the part over a triangle and the parts beyond its sides. If nothing wider than
-// `least` can be cut off, halves the piece.
+// Cuts a piece into the part over a triangle and the parts beyond its sides; false if nothing wider
+// than `least` can be cut off.
+bool cutOver(const Piece& piece, const Triangle& over, double least, std::vector<Piece>& parts);
+
+void halve(const Piece& piece, std::vector<Piece>& parts);
+
+// Cuts a piece over a triangle or, if that cannot be, halves it.
 void cut(const Piece& piece, const Triangle& over, double least, std::vector<Piece>& parts);
 
 // Whether a piece ends the search.

@@ -22,7 +22,7 @@ export const engines = [
     'remesh/quads/shape/quad_tips', 'remesh/quads/shape/limbs', 'textures/painting/side_finder',
     'repair/solid/seen_loss'] },
   { kind: 'prover of distances', before: 2, aim: 1,
-    files: ['measure/distance_bound', 'remesh/gate/error_bound'] },
+    files: ['geometry/piecewise'] },
   { kind: 'search for lost tips', before: 2, aim: 1,
     files: ['remesh/accuracy/tips', 'remesh/quads/shape/quad_tips'] },
   { kind: 'table that chooses a mesh', before: 7, aim: 1, files: ['remesh/schemes/chooser'] },
