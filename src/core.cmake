@@ -277,7 +277,6 @@ set(small
   src/remesh/quads/shape/chords.cpp
   src/remesh/quads/shape/collapse.cpp
   src/remesh/quads/shape/finish.cpp
-  src/remesh/quads/shape/limbs.cpp
   src/remesh/quads/shape/mending.cpp
   src/remesh/quads/shape/plane_sides.cpp
   src/remesh/quads/shape/quad_patch.cpp
@@ -286,6 +285,7 @@ set(small
   src/remesh/quads/shape/rewiring.cpp
   src/remesh/quads/shape/side_places.cpp
   src/remesh/quads/shape/smoothing.cpp
+  src/remesh/quads/shape/thin_protrusions.cpp
   src/remesh/schemes/attribute_lengths.cpp
   src/remesh/schemes/best.cpp
   src/remesh/schemes/bodies.cpp

@@ -170,12 +170,12 @@ add_executable(unit_tests
   tests/unit/remesh/quads/quads_test.cpp
   tests/unit/remesh/quads/shape/chords_test.cpp
   tests/unit/remesh/quads/shape/collapse_test.cpp
-  tests/unit/remesh/quads/shape/limbs_test.cpp
   tests/unit/remesh/quads/shape/mending_test.cpp
   tests/unit/remesh/quads/shape/plane_sides_test.cpp
   tests/unit/remesh/quads/shape/quad_tips_test.cpp
   tests/unit/remesh/quads/shape/rewiring_test.cpp
   tests/unit/remesh/quads/shape/smoothing_test.cpp
+  tests/unit/remesh/quads/shape/thin_protrusions_test.cpp
   tests/unit/remesh/schemes/chart_needs_test.cpp
   tests/unit/remesh/schemes/chooser_test.cpp
   tests/unit/remesh/schemes/conformed_test.cpp

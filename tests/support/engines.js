@@ -19,7 +19,7 @@ export const engines = [
     'remesh/accuracy/lower_hausdorff', 'remesh/quads/shape/rewiring'] },
   { kind: 'sampler of distances', before: 10, aim: 3, files: ['measure/hausdorff',
     'remesh/schemes/follow', 'remesh/accuracy/places', 'remesh/accuracy/two_sided_distance',
-    'remesh/quads/shape/quad_tips', 'remesh/quads/shape/limbs', 'textures/painting/side_finder',
+    'remesh/quads/shape/quad_tips', 'remesh/quads/shape/thin_protrusions', 'textures/painting/side_finder',
     'repair/solid/seen_loss'] },
   { kind: 'prover of distances', before: 2, aim: 1,
     files: ['geometry/piecewise'] },

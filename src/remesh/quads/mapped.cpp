@@ -20,9 +20,9 @@
 #include "remesh/quads/quads.h"
 #include "remesh/quads/shape/collapse.h"
 #include "remesh/quads/shape/finish.h"
-#include "remesh/quads/shape/limbs.h"
 #include "remesh/quads/shape/mending.h"
 #include "remesh/quads/shape/rewiring.h"
+#include "remesh/quads/shape/thin_protrusions.h"
 
 namespace remesher {
 
@@ -79,7 +79,7 @@ Extracted extracted(const Domain& domain, const SeamlessMap& map) {
   made.lost = std::size_t(std::abs(kind.eulerCharacteristic - wanted.eulerCharacteristic));
   made.lost += kind != wanted;
   made.lost += !sidesOffBorder(quads, part.surface()).empty();
-  if (made.lost == 0) growLimbs(quads, part);
+  if (made.lost == 0) growThinProtrusions(quads, part);
   return made;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "remesh/quads/shape/limbs.h"
+#include "remesh/quads/shape/thin_protrusions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,36 +42,36 @@ FromQuads distancesFrom(const QuadMesh& mesh, const WorkingMesh& ground) {
 
 // The part of the ground around a tip, as far as the quads: how far its vertices are from the tip
 // along edges, and where it meets the quads.
-struct Limb {
+struct Protrusion {
   VertexData<double> gone;  // kInfinity beyond
   double length = 0;
   Index quad = kNone;
 };
 
-Limb limbAt(Vertex tip, const WorkingMesh& ground, const FromQuads& from, double near) {
-  Limb limb{VertexData<double>(ground.mesh().vertexCapacity(), kInfinity)};
+Protrusion protrusionAt(Vertex tip, const WorkingMesh& ground, const FromQuads& from, double near) {
+  Protrusion protrusion{VertexData<double>(ground.mesh().vertexCapacity(), kInfinity)};
   using Entry = std::pair<double, Index>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  limb.gone[tip] = 0;
+  protrusion.gone[tip] = 0;
   queue.emplace(0, tip.index);
   while (!queue.empty()) {
     const double gone = queue.top().first;
     const Vertex v(queue.top().second);
     queue.pop();
-    if (gone > limb.gone[v]) continue;
+    if (gone > protrusion.gone[v]) continue;
     if (from.distance[v] < near) {
-      limb.length = gone;
-      limb.quad = from.quad[v];
+      protrusion.length = gone;
+      protrusion.quad = from.quad[v];
       break;
     }
     ground.mesh().forEachNeighbor(v, [&](Vertex w) {
       const double there = gone + (ground.position(w) - ground.position(v)).norm();
-      if (!(there < limb.gone[w])) return;
-      limb.gone[w] = there;
+      if (!(there < protrusion.gone[w])) return;
+      protrusion.gone[w] = there;
       queue.emplace(there, w.index);
     });
   }
-  return limb;
+  return protrusion;
 }
 
 struct RingPoint {
@@ -90,9 +90,9 @@ double lengthOf(const Ring& ring) {
 
 // The longest closed line around the tip, counterclockwise, at a distance from the tip; none if a
 // line ends on a boundary.
-Ring ringAt(double distance, const WorkingMesh& ground, const Limb& limb) {
+Ring ringAt(double distance, const WorkingMesh& ground, const Protrusion& protrusion) {
   const HalfedgeMesh& m = ground.mesh();
-  const auto isWithin = [&](Vertex v) { return limb.gone[v] < distance; };
+  const auto isWithin = [&](Vertex v) { return protrusion.gone[v] < distance; };
   const auto leaves = [&](Halfedge h) { return isWithin(m.origin(h)) && !isWithin(m.tip(h)); };
   HalfedgeData<char> seen(m.halfedgeCapacity(), 0);
   Ring longest;
@@ -101,7 +101,8 @@ Ring ringAt(double distance, const WorkingMesh& ground, const Limb& limb) {
     for (Halfedge h(i); leaves(h) && !seen[h];) {
       seen[h] = 1;
       const Vertex a = m.origin(h), b = m.tip(h);
-      const double share = (distance - limb.gone[a]) / (limb.gone[b] - limb.gone[a]);
+      const double share =
+          (distance - protrusion.gone[a]) / (protrusion.gone[b] - protrusion.gone[a]);
       ring.push_back({h, (1 - share) * ground.position(a) + share * ground.position(b)});
       const Halfedge next = HalfedgeMesh::next(h);
       h = m.twin(isWithin(m.tip(next)) ? next : HalfedgeMesh::prev(h));
@@ -163,7 +164,7 @@ void addRing(QuadMesh& mesh, Index quad, const Four<RingPoint>& points, const Wo
 
 }  // namespace
 
-void growLimbs(QuadMesh& mesh, const WorkingMesh& ground) {
+void growThinProtrusions(QuadMesh& mesh, const WorkingMesh& ground) {
   const double side = meanSide(mesh);
   VertexData<char> isTried(ground.mesh().vertexCapacity(), 0);
   for (;;) {
@@ -176,17 +177,17 @@ void growLimbs(QuadMesh& mesh, const WorkingMesh& ground) {
         tip = v;
       }
     if (!tip) return;
-    const Limb limb = limbAt(tip, ground, from, side / 4);
+    const Protrusion protrusion = protrusionAt(tip, ground, from, side / 4);
     for (Index i = 0; i < isTried.size(); ++i)
-      isTried[Vertex(i)] |= limb.gone[Vertex(i)] < kInfinity;
-    if (limb.quad == kNone) continue;
-    const double rings = std::max(1.0, std::round(limb.length / side));
+      isTried[Vertex(i)] |= protrusion.gone[Vertex(i)] < kInfinity;
+    if (protrusion.quad == kNone) continue;
+    const double rings = std::max(1.0, std::round(protrusion.length / side));
     // A spike of a wild coordinate would need millions.
     if (double(mesh.quads.size()) + 4 * rings > double(ground.mesh().faceCount())) continue;
     for (double k = 1; k <= rings; ++k) {
-      const Ring ring = ringAt(limb.length * (1 - k / (rings + 0.5)), ground, limb);
+      const Ring ring = ringAt(protrusion.length * (1 - k / (rings + 0.5)), ground, protrusion);
       if (ring.empty()) break;
-      addRing(mesh, limb.quad, quartersBeside(ring, mesh, limb.quad), ground);
+      addRing(mesh, protrusion.quad, quartersBeside(ring, mesh, protrusion.quad), ground);
     }
   }
 }

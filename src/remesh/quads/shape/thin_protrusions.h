@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A map squeezes limbs that are thinner than a few quads (tails, ears, legs) to nothing, and the
-// quads end flat where such a limb begins. Here the limbs grow again.
+// A map squeezes protrusions that are thinner than a few quads (tails, ears, legs) to nothing, and
+// the quads end flat where such a protrusion begins. Here they are extruded again.
 #pragma once
 
 #include "remesh/quads/mesh/quad_mesh.h"
@@ -11,6 +11,6 @@ namespace remesher {
 // puts rings of four quads around it, out of the nearest quad and to the farthest vertex of the
 // ground, unless there would be more quads than triangles of the ground. The quads must be a
 // manifold, and stay one of the same kind.
-void growLimbs(QuadMesh& mesh, const WorkingMesh& ground);
+void growThinProtrusions(QuadMesh& mesh, const WorkingMesh& ground);
 
 }  // namespace remesher

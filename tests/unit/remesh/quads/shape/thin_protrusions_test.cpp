@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "remesh/quads/shape/limbs.h"
+#include "remesh/quads/shape/thin_protrusions.h"
 
 #include <doctest/doctest.h>
 
@@ -53,14 +53,15 @@ double farthestFrom(const QuadMesh& mesh, const WorkingMesh& ground) {
 
 }  // namespace
 
-TEST_CASE("limbs: a tail that quads lack grows in rings of four, and what quads reach stays") {
+TEST_CASE(
+    "thin protrusions: a tail that quads lack grows in rings of four, and what quads reach stays") {
   for (const double length : {0.05, 3.0, 5.0, 9.0}) {
     CAPTURE(length);
     const OriginalSurface surface = shapes::surfaceOf(ballWithTail(length));
     const WorkingMesh ground(surface);
     QuadMesh mesh = cubeOn(ground);
     const double before = farthestFrom(mesh, ground), side = meanSide(mesh);
-    growLimbs(mesh, ground);
+    growThinProtrusions(mesh, ground);
     CHECK(check(mesh) == "");
     CHECK(kindOf(mesh) == SurfaceKind{2, 1, 0});
     CHECK(mesh.quads.size() % 4 == 6 % 4);
