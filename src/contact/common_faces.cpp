@@ -10,6 +10,7 @@
 #include "base/place.h"
 #include "contact/face_overlay.h"
 #include "contact/met_borders.h"
+#include "geometry/mesh_triangle.h"
 #include "geometry/triangle.h"
 #include "geometry/triangle_tree.h"
 #include "mesh/edge_groups.h"
@@ -147,11 +148,10 @@ ConformReport commonFacesIn(const TriangleMesh& mesh, std::span<const BodySides>
   std::vector<Index> corners, groups;
   for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
     if (sides[mesh.groups[t]].second.body == kNone) continue;
-    const Index* const v = &mesh.indices[3 * t];
-    const auto at = [&](int k) { return mesh.positions[v[k]]; };
-    for (int k = 0; k < 3; ++k) corners.push_back(first[v[k]]);
+    for (std::size_t k = 0; k < 3; ++k) corners.push_back(first[mesh.indices[3 * t + k]]);
     groups.push_back(mesh.groups[t]);
-    report.area += area(at(0), at(1), at(2));
+    const auto [a, b, c] = cornersOf(mesh, t);
+    report.area += area(a, b, c);
   }
   report.triangles = report.faces = groups.size();
   const auto bodiesOf = [&](Index h) {

@@ -6,7 +6,7 @@
 #include <memory>
 #include <utility>
 
-#include "geometry/triangle.h"
+#include "geometry/mesh_triangle.h"
 #include "geometry/triangle_tree.h"
 #include "io/model/appending.h"
 #include "jobs/part_run.h"
@@ -58,9 +58,8 @@ class GivenSurface {
     const Index inside = nearest(at[k] + kInwards * (centre - at[k]));
     if (normalOf(found).dot(normalOf(inside)) < kAlike) found = inside;
     const Index* const v = &mesh_.indices[3 * std::size_t{found}];
-    const auto corner = [&](std::size_t i) { return mesh_.positions[v[i]]; };
-    const Vec3 weights = closestBarycentric(at[k], corner(0), corner(1), corner(2));
-    mix_.append({{v[0], v[1], v[2]}, weights, areaVector(corner(0), corner(1), corner(2))},
+    const auto [a, b, c] = cornersOf(mesh_, found);
+    mix_.append({{v[0], v[1], v[2]}, closestBarycentric(at[k], a, b, c), areaVector(a, b, c)},
                 attributes);
   }
 
@@ -71,8 +70,8 @@ class GivenSurface {
   };
 
   Vec3 normalOf(Index t) const {
-    const Index* const v = &mesh_.indices[3 * std::size_t{t}];
-    return unitNormal(mesh_.positions[v[0]], mesh_.positions[v[1]], mesh_.positions[v[2]]);
+    const auto [a, b, c] = cornersOf(mesh_, t);
+    return unitNormal(a, b, c);
   }
 
   const TriangleMesh& mesh_;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/legible.h"
+#include "geometry/mesh_triangle.h"
 #include "geometry/triangle.h"
 #include "jobs/angle_number.h"
 #include "jobs/checks/crossing_check.h"
@@ -149,9 +150,9 @@ RoundedMesh roundedOutcome(const TriangleMesh& original, RemeshOutcome& outcome,
 }
 
 bool isSurface(const TriangleMesh& mesh) {
-  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-    const auto at = [&](std::size_t k) { return mesh.positions[mesh.indices[i + k]]; };
-    if (flatness(at(0), at(1), at(2)) > kFlattest) return true;
+  for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
+    const auto [a, b, c] = cornersOf(mesh, t);
+    if (flatness(a, b, c) > kFlattest) return true;
   }
   return false;
 }

@@ -11,6 +11,7 @@
 #include "base/fires.h"
 #include "base/legible.h"
 #include "base/place.h"
+#include "geometry/mesh_triangle.h"
 #include "geometry/triangle.h"
 #include "io/model/appending.h"
 #include "io/model/bake.h"
@@ -48,11 +49,10 @@ bool mayTouch(const io::Part& part) {
 
 double areaOf(const io::Part& part) {
   double sum = 0;
-  for (std::size_t i = 0; i + 2 < part.mesh.indices.size(); i += 3) {
-    const auto at = [&](std::size_t k) {
-      return firstPlace(part) * part.mesh.positions[part.mesh.indices[i + k]];
-    };
-    sum += area(at(0), at(1), at(2));
+  const Transform place = firstPlace(part);
+  for (std::size_t t = 0; t < part.mesh.triangleCount(); ++t) {
+    const auto [a, b, c] = cornersOf(part.mesh, t);
+    sum += area(place * a, place * b, place * c);
   }
   return sum;
 }
@@ -195,11 +195,11 @@ void TouchingParts::warnOfCrossings() {
   // The middle of the smallest triangle is the surest place.
   double least = kInfinity;
   for (const Index t : crossing) {
-    const auto at = [&](std::size_t k) { return mesh.positions[mesh.indices[3 * t + k]]; };
-    const double own = area(at(0), at(1), at(2));
+    const auto [a, b, c] = cornersOf(mesh, t);
+    const double own = area(a, b, c);
     if (own >= least) continue;
     least = own;
-    warnings_.back().at = (at(0) + at(1) + at(2)) / 3;
+    warnings_.back().at = (a + b + c) / 3;
   }
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "geometry/mesh_triangle.h"
 #include "mesh/joining.h"
 
 namespace remesher {
@@ -13,8 +14,8 @@ namespace remesher {
 namespace {
 
 Vec3 centreOf(const TriangleMesh& mesh, Index triangle) {
-  const Index* v = &mesh.indices[3 * std::size_t{triangle}];
-  return (mesh.positions[v[0]] + mesh.positions[v[1]] + mesh.positions[v[2]]) / 3;
+  const auto [a, b, c] = cornersOf(mesh, triangle);
+  return (a + b + c) / 3;
 }
 
 void sortByWidth(std::vector<SizedPlace>& places) {

@@ -8,6 +8,7 @@
 
 #include "base/fires.h"
 #include "geometry/divided_edges.h"
+#include "geometry/mesh_triangle.h"
 #include "geometry/triangle_meeting.h"
 #include "geometry/triangle_tree.h"
 #include "mesh/attribute_mix.h"
@@ -163,7 +164,7 @@ std::vector<Index> keepAreas(TriangleMesh& mesh) {
   std::vector<Index> inputs, indices, groups;
   for (Index t = 0; t < mesh.triangleCount(); ++t) {
     const Index* v = &mesh.indices[3 * std::size_t{t}];
-    if (!hasArea({mesh.positions[v[0]], mesh.positions[v[1]], mesh.positions[v[2]]})) continue;
+    if (!hasArea(cornersOf(mesh, t))) continue;
     inputs.push_back(t);
     indices.insert(indices.end(), v, v + 3);
     if (!mesh.groups.empty()) groups.push_back(mesh.groups[t]);
@@ -179,10 +180,8 @@ std::size_t countUnbalancedEdges(const TriangleMesh& mesh) {
 }
 
 bool haveAreas(const TriangleMesh& mesh) {
-  for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
-    if (!hasArea({mesh.positions[mesh.indices[i]], mesh.positions[mesh.indices[i + 1]],
-                  mesh.positions[mesh.indices[i + 2]]}))
-      return false;
+  for (std::size_t t = 0; t < mesh.triangleCount(); ++t)
+    if (!hasArea(cornersOf(mesh, t))) return false;
   return true;
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/legible.h"
+#include "geometry/mesh_triangle.h"
 #include "mesh/joining.h"
 #include "textures/atlas_painting.h"
 #include "textures/new_texcoords.h"
@@ -30,11 +31,10 @@ constexpr double kMostNotFound = 0.1;
 double farthestFrom(const TriangleMesh& mesh, const PaintSource& source) {
   const PlaceSearch search(source);
   double farthest = 0;
-  for (std::size_t h = 0; h < mesh.indices.size(); h += 3) {
-    const auto corner = [&](std::size_t k) { return mesh.positions[mesh.indices[h + k]]; };
-    const Vec3 middle = (corner(0) + corner(1) + corner(2)) / 3;
-    const Vec3 normal = unitNormal(corner(0), corner(1), corner(2));
-    for (const Vec3& p : {corner(0), middle})
+  for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
+    const auto [a, b, c] = cornersOf(mesh, t);
+    const Vec3 middle = (a + b + c) / 3, normal = unitNormal(a, b, c);
+    for (const Vec3& p : {a, middle})
       farthest = std::max(farthest, (source.position(search.at(p, normal)) - p).norm());
   }
   return farthest;

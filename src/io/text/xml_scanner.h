@@ -35,7 +35,6 @@ class XmlScanner {
   std::string_view text() const;
   // All bytes that follow.
   std::string_view left() const { return text_.substr(at_); }
-  void skipTo(std::size_t place) { at_ = place; }
   std::size_t place() const { return at_; }
 
   [[noreturn]] void fail(ErrorCode code, const std::string& what, std::string hint = {}) const;

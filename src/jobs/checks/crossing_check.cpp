@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "geometry/mesh_triangle.h"
 #include "geometry/triangle_tree.h"
 #include "jobs/checks/result_check.h"
 #include "measure/self_intersections.h"
@@ -15,8 +16,7 @@ namespace {
 // for the result to meet itself here.
 Box wideBox(const TriangleMesh& mesh, Index triangle) {
   Box box;
-  for (std::size_t k = 0; k < 3; ++k)
-    box.extend(mesh.positions[mesh.indices[std::size_t{3} * triangle + k]]);
+  for (const Vec3& p : cornersOf(mesh, triangle)) box.extend(p);
   const double size = (box.high - box.low).maxCoeff();
   return {box.low.array() - size, box.high.array() + size};
 }

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "base/legible.h"
+#include "geometry/mesh_triangle.h"
 #include "geometry/triangle.h"
 #include "jobs/parts/part_places.h"
 #include "mesh/welding.h"
@@ -47,10 +48,8 @@ WorstTriangle worstTriangle(const std::vector<io::Part>& parts) {
     const TriangleMesh& mesh = parts[n].mesh;
     const auto stretch = stretchAt(places[n].toWorld);
     const auto shown = [&](const Vec3& p) { return stretch ? Vec3(*stretch * p) : p; };
-    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-      const Vec3& a = mesh.positions[mesh.indices[i]];
-      const Vec3& b = mesh.positions[mesh.indices[i + 1]];
-      const Vec3& c = mesh.positions[mesh.indices[i + 2]];
+    for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
+      const auto [a, b, c] = cornersOf(mesh, t);
       const double angle = minAngle(shown(a), shown(b), shown(c));
       if (angle < worst.angle) worst = {angle, (a + b + c) / 3};
     }

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/legible.h"
+#include "geometry/mesh_triangle.h"
 #include "geometry/triangle.h"
 #include "jobs/checks/result_check.h"
 #include "jobs/parts/part_places.h"
@@ -74,12 +75,12 @@ void addEdges(const TriangleMesh& mesh, const Eigen::Matrix3d& toWorld, Tallies&
 
 void addAngles(const TriangleMesh& mesh, const Eigen::Matrix3d& toWorld, Tally& tally,
                double wanted) {
-  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-    const auto at = [&](std::size_t k) { return mesh.positions[mesh.indices[i + k]]; };
-    const Vec3 a = at(0), b = toWorld * (at(1) - a), c = toWorld * (at(2) - a);
+  for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
+    const Triangle at = cornersOf(mesh, t);
+    const Vec3 b = toWorld * (at[1] - at[0]), c = toWorld * (at[2] - at[0]);
     const double angle = degrees(minAngle(Vec3::Zero(), b, c));
     tally.add(angle, angle >= wanted, angle < tally.worst(),
-              [&] { return Vec3((a + at(1) + at(2)) / 3); });
+              [&] { return Vec3((at[0] + at[1] + at[2]) / 3); });
   }
 }
 
@@ -88,13 +89,11 @@ double areaOf(const std::vector<io::Part>& parts) {
   const std::vector<PartPlace> places = placesOf(parts);
   for (std::size_t n = 0; n < parts.size(); ++n) {
     if (!parts[n].finer.empty()) continue;
-    const TriangleMesh& mesh = parts[n].mesh;
-    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-      const Vec3& a = mesh.positions[mesh.indices[i]];
-      const auto edge = [&](std::size_t k) {
-        return Vec3(places[n].toWorld.linear() * (mesh.positions[mesh.indices[i + k]] - a));
-      };
-      area += edge(1).cross(edge(2)).norm() / 2;
+    const Eigen::Matrix3d toWorld = places[n].toWorld.linear();
+    for (std::size_t t = 0; t < parts[n].mesh.triangleCount(); ++t) {
+      const auto [a, b, c] = cornersOf(parts[n].mesh, t);
+      const Vec3 first = toWorld * (b - a), second = toWorld * (c - a);
+      area += first.cross(second).norm() / 2;
     }
   }
   return area;

@@ -130,12 +130,4 @@ TriangleMesh relaxed(TriangleMesh result, const Eigen::Matrix3d& stretch,
   return result;
 }
 
-std::vector<io::Part> asShown(std::vector<io::Part> parts) {
-  const std::vector<PartPlace> places = placesOf(parts);
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    if (const auto stretch = stretchAt(places[i].toWorld))
-      parts[i].mesh = stretched(std::move(parts[i].mesh), *stretch);
-  return parts;
-}
-
 }  // namespace remesher

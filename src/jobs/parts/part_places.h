@@ -34,7 +34,4 @@ TriangleMesh stretched(TriangleMesh mesh, const Eigen::Matrix3d& stretch);
 TriangleMesh relaxed(TriangleMesh result, const Eigen::Matrix3d& stretch,
                      const TriangleMesh& original);
 
-// The parts as they are looked at: stretched where their places stretch them.
-std::vector<io::Part> asShown(std::vector<io::Part> parts);
-
 }  // namespace remesher

@@ -43,7 +43,6 @@ class Imprint {
   Corners corners(Index t) const;  // by the first vertex of each place
   const Vec3& at(Index v) const { return mesh_.positions[v]; }
   Weights weightsOf(Index t) const;
-  Index parentOf(Index t) const { return t < parents_.size() ? parents_[t] : t; }
   bool areJoined(Index v, Index w) const;
   bool isBoundary(Index v, Index w) const;
   Vec3 normalNear(Index v) const;

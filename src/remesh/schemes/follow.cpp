@@ -10,6 +10,7 @@
 
 #include "base/place.h"
 #include "geometry/mesh_tree.h"
+#include "geometry/mesh_triangle.h"
 #include "geometry/triangle.h"
 #include "mesh/joints.h"
 #include "remesh/schemes/attribute_lengths.h"
@@ -150,9 +151,9 @@ std::size_t distinctPositions(const HalfedgeMesh& mesh, const VertexData<Vec3>& 
 }
 
 bool hasLines(const TriangleMesh& mesh) {
-  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-    const auto at = [&](std::size_t k) { return mesh.positions[mesh.indices[i + k]]; };
-    if (flatness(at(0), at(1), at(2)) <= kFlattest) return true;
+  for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
+    const auto [a, b, c] = cornersOf(mesh, t);
+    if (flatness(a, b, c) <= kFlattest) return true;
   }
   return false;
 }

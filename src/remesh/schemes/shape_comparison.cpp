@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/place.h"
+#include "geometry/mesh_triangle.h"
 #include "geometry/triangle.h"
 #include "original/curves/feature_detection.h"
 #include "original/curves/flat_regions.h"
@@ -57,24 +58,12 @@ bool isPlain(const TriangleMesh& input, Textures textures) {
          std::none_of(input.attributes.begin(), input.attributes.end(), isDrawn);
 }
 
-// The triangles' smallest angles, in degrees.
-struct Evenness {
-  double mean = 0, least = 180;
-
-  void add(const Triangle& corners, double share) {
-    const double angle = degrees(minAngle(corners[0], corners[1], corners[2]));
-    mean += share * angle;
-    least = std::min(least, angle);
-  }
-  bool isEven(double onAverage) const { return mean >= onAverage && least >= kEvenLeast; }
-  bool hasNeedles() const { return mean < kNeedlesMean || least < kNeedlesLeast; }
-};
-
-Evenness evennessOf(const TriangleMesh& mesh) {
-  Evenness result;
-  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-    const auto at = [&](std::size_t k) { return mesh.positions[mesh.indices[i + k]]; };
-    result.add({at(0), at(1), at(2)}, 1 / double(mesh.triangleCount()));
+// The mean of the triangles' smallest angles, in degrees.
+double meanAngleOf(const TriangleMesh& mesh) {
+  double mean = 0;
+  for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
+    const auto [a, b, c] = cornersOf(mesh, t);
+    mean += degrees(minAngle(a, b, c)) / double(mesh.triangleCount());
   }
   return result;
 }

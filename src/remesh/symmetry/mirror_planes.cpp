@@ -10,18 +10,13 @@
 #include <optional>
 #include <utility>
 
-#include "geometry/triangle.h"
+#include "geometry/mesh_triangle.h"
 #include "geometry/triangle_tree.h"
 #include "mesh/welding.h"
 
 namespace remesher {
 
 namespace {
-
-Triangle cornersOf(const TriangleMesh& mesh, std::size_t t) {
-  return {mesh.positions[mesh.indices[3 * t]], mesh.positions[mesh.indices[3 * t + 1]],
-          mesh.positions[mesh.indices[3 * t + 2]]};
-}
 
 // The center of the surface's area, and the squares around it.
 struct Moments {

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/mesh_triangle.h"
 #include "geometry/triangle.h"
 
 namespace remesher {
@@ -14,10 +15,9 @@ namespace {
 std::vector<Vec3> directionsOf(const TriangleMesh& mesh, std::span<const Index> triangles) {
   std::vector<Vec3> directions(mesh.positions.size(), Vec3::Zero());
   for (const Index t : triangles) {
-    const Index* v = &mesh.indices[3 * std::size_t{t}];
-    const Vec3 vector =
-        areaVector(mesh.positions[v[0]], mesh.positions[v[1]], mesh.positions[v[2]]);
-    for (std::size_t k = 0; k < 3; ++k) directions[v[k]] += vector;
+    const auto [a, b, c] = cornersOf(mesh, t);
+    const Vec3 vector = areaVector(a, b, c);
+    for (std::size_t k = 0; k < 3; ++k) directions[mesh.indices[3 * std::size_t{t} + k]] += vector;
   }
   return directions;
 }

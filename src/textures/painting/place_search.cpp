@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/mesh_triangle.h"
+
 namespace remesher {
 
 namespace {
@@ -58,12 +60,11 @@ InputPlace PlaceSearch::at(const Vec3& point, const Vec3& normal) const {
 std::vector<InputPlace> placesOn(const TriangleMesh& mesh, const PaintSource& source) {
   const PlaceSearch search(source);
   std::vector<InputPlace> places;
-  for (std::size_t h = 0; h < mesh.indices.size(); h += 3) {
-    const auto corner = [&](std::size_t k) { return mesh.positions[mesh.indices[h + k]]; };
-    const Vec3 middle = (corner(0) + corner(1) + corner(2)) / 3;
-    const Vec3 normal = unitNormal(corner(0), corner(1), corner(2));
-    for (std::size_t k = 0; k < 3; ++k)
-      places.push_back(search.at((1 - kInside) * corner(k) + kInside * middle, normal));
+  for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
+    const Triangle at = cornersOf(mesh, t);
+    const Vec3 middle = (at[0] + at[1] + at[2]) / 3, normal = unitNormal(at[0], at[1], at[2]);
+    for (const Vec3& corner : at)
+      places.push_back(search.at((1 - kInside) * corner + kInside * middle, normal));
   }
   return places;
 }
