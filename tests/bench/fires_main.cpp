@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Counts how often each fallback and each limit of work fires on a file: plain, in fewer and in
-// more vertices, with its shape preferred, within a bound, as quads, repaired and baked.
+// more vertices, with its shape preferred, within a bound, with limits of every edge and angle, as
+// quads, with common faces, in a region, repaired and baked.
 //   fires FILE    prints a line of JSON for each run: its name, and the count of each name that
 //   fired
 #include <cstdio>
@@ -65,6 +66,12 @@ void runAll(const std::string& path) {
   const auto remeshed = [&](const RemeshOptions& options) {
     remeshFile(input, "out.glb", options);
   };
+  double diagonal = 1;
+  std::size_t triangles = 0;
+  count("inspect", [&] {
+    const MeshReport report = inspectFile(input).input;
+    diagonal = report.diagonal, triangles = report.triangles;
+  });
   RemeshOptions half;
   half.ratio = 0.5;
   count("half", [&] { remeshed(half); });
@@ -86,6 +93,26 @@ void runAll(const std::string& path) {
   count("bound and number", [&] { remeshed(bound); });
   quads.quads = true;
   count("quads", [&] { remeshed(quads); });
+  quads.symmetry = Symmetry::X;
+  count("quads, symmetric", [&] { remeshed(quads); });
+  quads.symmetry = Symmetry::Auto;
+  quads.maxError = 0.5;
+  count("quads, bound", [&] { remeshed(quads); });
+  RemeshOptions wanted, wantedOfHalf = half;
+  wanted.minAngle = wantedOfHalf.minAngle = 25;
+  count("angle", [&] { remeshed(wanted); });
+  count("half, angle", [&] { remeshed(wantedOfHalf); });
+  wantedOfHalf.minAngle.reset();
+  wantedOfHalf.minEdge = 0.02 * diagonal;
+  wantedOfHalf.maxEdge = 0.05 * diagonal;
+  count("half, edges", [&] { remeshed(wantedOfHalf); });
+  RemeshOptions conform = half, welded = half, region = half;
+  conform.conform = true;
+  count("conform", [&] { remeshed(conform); });
+  welded.weld = 1;
+  count("weld", [&] { remeshed(welded); });
+  for (Index t = 0; t < triangles / 2; ++t) region.region.push_back(t);
+  count("region", [&] { remeshed(region); });
   for (const auto& [name, way] :
        {std::pair("auto", Repair::Auto), std::pair("holes", Repair::Holes),
         std::pair("solid", Repair::Solid), std::pair("wrap", Repair::Wrap)}) {
