@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/topology.h"
 
+#include "mesh/components.h"
+
 namespace remesher {
 
 std::size_t edgeCount(const HalfedgeMesh& mesh) {
@@ -13,28 +15,7 @@ long eulerCharacteristic(const HalfedgeMesh& mesh) {
   return long(mesh.vertexCount()) - long(edgeCount(mesh)) + long(mesh.faceCount());
 }
 
-std::size_t componentCount(const HalfedgeMesh& mesh) {
-  std::size_t count = 0;
-  std::vector<char> seen(mesh.faceCapacity(), 0);
-  std::vector<Face> stack;
-  for (Index f = 0; f < mesh.faceCapacity(); ++f) {
-    if (!mesh.isAlive(Face(f)) || seen[f]) continue;
-    ++count;
-    seen[f] = 1;
-    stack.push_back(Face(f));
-    while (!stack.empty()) {
-      const Face top = stack.back();
-      stack.pop_back();
-      for (int corner = 0; corner < 3; ++corner) {
-        const Halfedge across = mesh.twin(HalfedgeMesh::halfedge(top, corner));
-        if (!across || seen[HalfedgeMesh::face(across).index]) continue;
-        seen[HalfedgeMesh::face(across).index] = 1;
-        stack.push_back(HalfedgeMesh::face(across));
-      }
-    }
-  }
-  return count;
-}
+std::size_t componentCount(const HalfedgeMesh& mesh) { return componentsOfFaces(mesh).count; }
 
 std::vector<std::vector<Halfedge>> boundaryLoops(const HalfedgeMesh& mesh) {
   std::vector<std::vector<Halfedge>> loops;

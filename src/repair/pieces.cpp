@@ -5,29 +5,12 @@
 #include <cmath>
 #include <map>
 
-#include "base/disjoint_sets.h"
 #include "geometry/ray_crossings.h"
+#include "mesh/components.h"
 
 namespace remesher {
 
 namespace {
-
-std::vector<Index> numbered(const BuiltMesh& built) {
-  DisjointSets sets(built.mesh.faceCapacity());
-  for (Index f = 0; f < built.mesh.faceCapacity(); ++f)
-    for (int k = 0; k < 3; ++k) {
-      const Halfedge h = HalfedgeMesh::halfedge(Face(f), k);
-      if (!built.mesh.isBoundary(h)) sets.unite(f, HalfedgeMesh::face(built.mesh.twin(h)).index);
-    }
-  std::vector<Index> pieces(built.mesh.faceCapacity(), 0), numbers(pieces.size(), kNone);
-  Index count = 0;
-  for (Index f = 0; f < pieces.size(); ++f) {
-    Index& number = numbers[sets.find(f)];
-    if (number == kNone) number = count++;
-    pieces[f] = number;
-  }
-  return pieces;
-}
 
 // Six times the volume of the tetrahedron of the triangle and `apex`.
 double sixfoldVolume(const Triangle& t, const Vec3& apex) {
@@ -43,7 +26,9 @@ bool areParallel(const Triangle& s, const Triangle& t) {
 class PieceFinder {
  public:
   PieceFinder(const BuiltMesh& built, std::span<const char> isCrossed)
-      : built_(built), corners_(built.mesh.triangles()), result_{numbered(built), {}} {
+      : built_(built),
+        corners_(built.mesh.triangles()),
+        result_{componentsOfFaces(built.mesh).of.values(), {}} {
     measure();
     for (Index f = 0; f < result_.ofFace.size(); ++f)
       if (isCrossed[built.triangles[Face(f)]]) isCrossed_[result_.ofFace[f]] = 1;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "geometry/triangle.h"
+#include "mesh/components.h"
 
 namespace remesher {
 
@@ -81,25 +82,9 @@ class Simplification {
 
   // Numbers the regions into which the curves divide the surface.
   Index labelRegions() {
-    region_.assign(mesh_.faceCapacity(), kNone);
-    Index count = 0;
-    std::vector<Face> stack;
-    for (Index f = 0; f < mesh_.faceCapacity(); ++f) {
-      if (region_[Face(f)] != kNone) continue;
-      region_[Face(f)] = count;
-      stack.push_back(Face(f));
-      while (!stack.empty()) {
-        const Halfedge first = HalfedgeMesh::halfedge(stack.back());
-        stack.pop_back();
-        for (const Halfedge h : {first, HalfedgeMesh::next(first), HalfedgeMesh::prev(first)}) {
-          if (role_[h] != Role::None || region_[mesh_.face(mesh_.twin(h))] != kNone) continue;
-          region_[mesh_.face(mesh_.twin(h))] = count;
-          stack.push_back(mesh_.face(mesh_.twin(h)));
-        }
-      }
-      ++count;
-    }
-    return count;
+    FaceRegions regions = regionsOf(mesh_, [&](Halfedge h) { return role_[h] == Role::None; });
+    region_ = std::move(regions.of);
+    return regions.count;
   }
 
   std::vector<Region> measureRegions(const FlatRegions& flats) {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/disjoint_sets.h"
 #include "geometry/triangle.h"
+#include "mesh/components.h"
 #include "original/surface/curvature.h"
 
 namespace remesher {
@@ -28,25 +28,22 @@ constexpr double kLongestAround = 0.75;
 FaceData<double> widthsBetweenCurves(const OriginalSurface& surface) {
   const HalfedgeMesh& mesh = surface.mesh();
   const VertexData<Vec3>& p = surface.positions();
-  DisjointSets regions(mesh.faceCapacity());
-  for (Index i = 0; i < mesh.halfedgeCapacity(); ++i)
-    if (mesh.twin(Halfedge(i)) && !surface.curves().isCurve(Halfedge(i)))
-      regions.unite(mesh.face(Halfedge(i)).index, mesh.face(mesh.twin(Halfedge(i))).index);
-  FaceData<double> areas(mesh.faceCapacity(), 0), rims(mesh.faceCapacity(), 0);
+  const FaceRegions regions =
+      regionsOf(mesh, [&](Halfedge h) { return !surface.curves().isCurve(h); });
+  std::vector<double> areas(regions.count, 0), rims(regions.count, 0);
   for (Index i = 0; i < mesh.faceCapacity(); ++i) {
     const auto [a, b, c] = mesh.vertices(Face(i));
-    areas[Face(regions.find(i))] += area(p[a], p[b], p[c]);
+    areas[regions.of[Face(i)]] += area(p[a], p[b], p[c]);
   }
   for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
     const Halfedge h(i);
     if (surface.curves().isCurve(h))
-      rims[Face(regions.find(mesh.face(h).index))] += distance(p[mesh.origin(h)], p[mesh.tip(h)]);
+      rims[regions.of[mesh.face(h)]] += distance(p[mesh.origin(h)], p[mesh.tip(h)]);
   }
   FaceData<double> widths(mesh.faceCapacity());
   for (Index i = 0; i < mesh.faceCapacity(); ++i) {
-    const Face region(regions.find(i));
-    const double rim = rims[region];
-    widths[Face(i)] = rim > 0 ? 2 * areas[region] / rim : kInfinity;
+    const Index region = regions.of[Face(i)];
+    widths[Face(i)] = rims[region] > 0 ? 2 * areas[region] / rims[region] : kInfinity;
   }
   return widths;
 }

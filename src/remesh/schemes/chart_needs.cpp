@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
-#include "base/disjoint_sets.h"
 #include "geometry/triangle.h"
+#include "mesh/components.h"
 #include "mesh/mesh_builder.h"
 #include "original/curves/curve_simplification.h"
 #include "original/surface/size_field.h"
@@ -90,19 +90,9 @@ class Measurement {
   }
 
   void numberRegions() {
-    DisjointSets sets(mesh_.faceCapacity());
-    for (Index i = 0; i < mesh_.halfedgeCapacity(); ++i)
-      if (isInside(Halfedge(i)))
-        sets.unite(mesh_.face(Halfedge(i)).index, mesh_.face(mesh_.twin(Halfedge(i))).index);
-    // A set is named by its lowest member, which comes first.
-    for (Index f = 0; f < mesh_.faceCapacity(); ++f) {
-      const Face lowest(sets.find(f));
-      if (lowest == Face(f)) {
-        region_[lowest] = Index(regions_.size());
-        regions_.emplace_back();
-      }
-      region_[Face(f)] = region_[lowest];
-    }
+    FaceRegions regions = regionsOf(mesh_, [&](Halfedge h) { return isInside(h); });
+    region_ = std::move(regions.of);
+    regions_.resize(regions.count);
   }
 
   bool isInside(Halfedge h) const { return !isCurve_[h]; }

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <string>
 
-#include "base/disjoint_sets.h"
 #include "base/error.h"
 #include "base/legible.h"
 #include "base/room.h"
 #include "geometry/triangle.h"
+#include "mesh/components.h"
 #include "mesh/joints.h"
 #include "mesh/topology.h"
 #include "remesh/schemes/edge_limits.h"
@@ -59,12 +59,7 @@ std::string tooFew(ErrorCode code, std::size_t target, std::size_t needed) {
 // The fewest vertices of a surface with handles depend on how it lies in space: a torus is rolled
 // up of a sheet of four by four, twelve more than a ball needs, and each handle needs twelve more.
 Fewest fewestVertices(const HalfedgeMesh& mesh) {
-  DisjointSets components(mesh.vertexCapacity());
-  for (Index i = 0; i < mesh.faceCapacity(); ++i) {
-    const auto [a, b, c] = mesh.vertices(Face(i));
-    components.unite(a.index, b.index);
-    components.unite(b.index, c.index);
-  }
+  DisjointSets components = componentsOfVertices(mesh);
   Fewest fewest;
   VertexData<char> isOpen(mesh.vertexCapacity(), 0);
   for (Index i = 0; i < mesh.vertexCapacity(); ++i)

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "base/disjoint_sets.h"
 #include "geometry/triangle.h"
 #include "measure/self_intersections.h"
+#include "mesh/components.h"
 #include "repair/holes/fairing.h"
 #include "repair/holes/kept_surface.h"
 #include "repair/holes/loop_triangulation.h"
@@ -131,10 +131,7 @@ void leaveSheets(const BuiltMesh& built, const LoopRule& rule, std::vector<Loop>
                  ClosedHoles& result) {
   const double mostDisk = rule.mostDisk;
   if (mostDisk == kInfinity || loops.empty()) return;
-  DisjointSets components(built.mesh.vertexCapacity());
-  for (Index f = 0; f < built.mesh.faceCapacity(); ++f)
-    for (const Vertex v : built.mesh.vertices(Face(f)))
-      components.unite(built.mesh.vertices(Face(f))[0].index, v.index);
+  DisjointSets components = componentsOfVertices(built.mesh);
   const auto componentOf = [&](const Loop& loop) {
     return components.find(loop.vertices.front().index);
   };

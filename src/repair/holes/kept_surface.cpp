@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/disjoint_sets.h"
 #include "base/error.h"
 #include "geometry/triangle.h"
+#include "mesh/components.h"
 
 namespace remesher {
 
@@ -100,16 +100,6 @@ FaceData<char> facesAtPinches(const BuiltMesh& built,
   return unwanted;
 }
 
-DisjointSets componentsOf(const BuiltMesh& built) {
-  DisjointSets components(built.mesh.vertexCapacity());
-  for (Index f = 0; f < built.mesh.faceCapacity(); ++f) {
-    const auto [a, b, c] = built.mesh.vertices(Face(f));
-    components.unite(a.index, b.index);
-    components.unite(b.index, c.index);
-  }
-  return components;
-}
-
 // Removing fans makes new pinches, seldom more than two or three times in a row. After kFanRounds
 // whole stars are removed, after kStarRounds more whole components with a pinch. places: a pinch
 // of each round is added.
@@ -126,7 +116,7 @@ KeptSurface withoutPinches(Selection& selection, std::vector<Vec3>& places) {
                                             round < kFanRounds ? Fans::AllButWidest : Fans::All));
       continue;
     }
-    DisjointSets components = componentsOf(built);
+    DisjointSets components = componentsOfVertices(built.mesh);
     std::vector<char> isPinched(built.mesh.vertexCapacity(), 0);
     for (const auto& [position, v] : pinches) isPinched[components.find(v)] = 1;
     FaceData<char> unwanted(built.mesh.faceCapacity(), 0);
@@ -149,7 +139,7 @@ struct FoundDebris {
 };
 
 FoundDebris debrisOf(const BuiltMesh& built) {
-  DisjointSets components = componentsOf(built);
+  DisjointSets components = componentsOfVertices(built.mesh);
   std::vector<double> areas(built.mesh.vertexCapacity(), 0);
   std::vector<char> isOpen(areas.size(), 0);
   for (Index f = 0; f < built.mesh.faceCapacity(); ++f) {

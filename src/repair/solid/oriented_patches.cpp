@@ -1,24 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "repair/solid/oriented_patches.h"
 
-#include "base/disjoint_sets.h"
+#include "mesh/components.h"
 
 namespace remesher {
 
 namespace {
-
-OrientedPatches patchesOf(const BuiltMesh& built) {
-  const std::size_t faces = built.mesh.faceCapacity();
-  DisjointSets sets(faces);
-  for (Index h = 0; h < built.mesh.halfedgeCapacity(); ++h)
-    if (const Halfedge twin = built.mesh.twin(Halfedge(h)))
-      sets.unite(h / 3, HalfedgeMesh::face(twin).index);
-  OrientedPatches result;
-  result.patches.resize(faces);
-  for (Index f = 0; f < faces; ++f)
-    result.patches[f] = sets.find(f) == f ? Index(result.count++) : result.patches[sets.find(f)];
-  return result;
-}
 
 // Six times the signed volume of each patch, from the first vertex.
 std::vector<double> volumesOf(const BuiltMesh& built, const OrientedPatches& patches) {
@@ -44,7 +31,10 @@ std::vector<char> closedPatches(const BuiltMesh& built, const OrientedPatches& p
 
 OrientedPatches orientedPatches(const BuiltMesh& built, const Lattice& lattice,
                                 std::span<const EdgeCrossing> crossings) {
-  OrientedPatches result = patchesOf(built);
+  const FaceRegions components = componentsOfFaces(built.mesh);
+  OrientedPatches result;
+  result.patches = components.of.values();
+  result.count = components.count;
   std::vector<long> votes(result.count, 0);
   result.isSeen.assign(result.count, 0);
   forEachCrossedLine(lattice, crossings, [&](const CrossedLine& line) {

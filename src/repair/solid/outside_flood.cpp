@@ -86,28 +86,15 @@ void forEachNeighbor(const Lattice& lattice, const std::vector<char>& crossed, s
   }
 }
 
+// Per point whether it is reached from the border through free points.
 std::vector<char> flooded(const Lattice& lattice, const Distances& distances, double clearance) {
-  std::vector<char> isFree(lattice.size());
-  lattice.forEachPoint(
-      [&](std::size_t p, const Place& place) { isFree[p] = distances.at(p, place) >= clearance; });
-  std::vector<char> isReached(lattice.size(), 0);
-  std::vector<std::size_t> front = {0};
-  isReached[0] = 1;
-  // Beyond the lattice's border come the numbers of points at the opposite border, free as well.
-  const auto visit = [&](std::size_t q) {
-    if (q >= isFree.size() || isReached[q] || !isFree[q]) return;
-    isReached[q] = 1;
-    front.push_back(q);
-  };
-  while (!front.empty()) {
-    const std::size_t p = front.back();
-    front.pop_back();
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      visit(p - lattice.stride(axis));
-      visit(p + lattice.stride(axis));
-    }
-  }
-  return isReached;
+  std::vector<char> isKeptOut(lattice.size());
+  lattice.forEachPoint([&](std::size_t p, const Place& place) {
+    isKeptOut[p] = !(distances.at(p, place) >= clearance);
+  });
+  fillCavities(lattice, {}, isKeptOut);
+  for (char& is : isKeptOut) is = !is;
+  return isKeptOut;
 }
 
 // Whether the point is reached and a neighbour is not: the outside can grow only from such points.

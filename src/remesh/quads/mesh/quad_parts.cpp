@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "remesh/quads/mesh/quad_parts.h"
 
+#include "mesh/components.h"
 #include "original/surface/surface_walk.h"
 
 namespace remesher {
@@ -41,28 +42,7 @@ class PartCopy {
 
 }  // namespace
 
-FaceData<Index> partNumbers(const HalfedgeMesh& mesh) {
-  FaceData<Index> part(mesh.faceCapacity(), kNone);
-  Index count = 0;
-  std::vector<Face> stack;
-  for (Index i = 0; i < mesh.faceCapacity(); ++i) {
-    if (part[Face(i)] != kNone) continue;
-    part[Face(i)] = count;
-    stack.push_back(Face(i));
-    while (!stack.empty()) {
-      const Face f = stack.back();
-      stack.pop_back();
-      for (int corner = 0; corner < 3; ++corner) {
-        const Halfedge twin = mesh.twin(HalfedgeMesh::halfedge(f, corner));
-        if (!twin || part[HalfedgeMesh::face(twin)] != kNone) continue;
-        part[HalfedgeMesh::face(twin)] = count;
-        stack.push_back(HalfedgeMesh::face(twin));
-      }
-    }
-    ++count;
-  }
-  return part;
-}
+FaceData<Index> partNumbers(const HalfedgeMesh& mesh) { return componentsOfFaces(mesh).of; }
 
 std::vector<WorkingMesh> connectedParts(const WorkingMesh& mesh) {
   const FaceData<Index> part = partNumbers(mesh.mesh());
