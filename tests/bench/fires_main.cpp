@@ -5,6 +5,7 @@
 //   fires FILE    prints a line of JSON for each run: its name, and the count of each name that
 //   fired
 #include <cstdio>
+#include <exception>
 #include <fstream>
 #include <functional>
 #include <iterator>
@@ -61,71 +62,103 @@ void count(std::string_view name, const std::function<void()>& run) {
   std::fflush(stdout);
 }
 
-void runAll(const std::string& path) {
-  const FileBundle input = load(path);
-  const auto remeshed = [&](const RemeshOptions& options) {
-    remeshFile(input, "out.glb", options);
-  };
+// A model, and what options are relative to.
+struct Model {
+  FileBundle input;
   double diagonal = 1;
   std::size_t triangles = 0;
-  count("inspect", [&] {
-    const MeshReport report = inspectFile(input).input;
-    diagonal = report.diagonal, triangles = report.triangles;
-  });
+
+  void remeshed(const RemeshOptions& options) const { remeshFile(input, "out.glb", options); }
+};
+
+RemeshOptions toHalf() {
   RemeshOptions half;
   half.ratio = 0.5;
-  count("half", [&] { remeshed(half); });
-  RemeshOptions few = half, shape = half, rounds = half, quads = half, draft = half;
+  return half;
+}
+
+RemeshOptions toFew() {
+  RemeshOptions few;
   few.ratio = 0.05;
   few.tooFew = TooFew::Raise;
-  count("few", [&] { remeshed(few); });
-  RemeshOptions more;
+  return few;
+}
+
+void runTriangles(const Model& model) {
+  count("half", [&] { model.remeshed(toHalf()); });
+  count("few", [&] { model.remeshed(toFew()); });
+  RemeshOptions more, shape = toHalf(), rounds = toHalf(), bound;
   more.ratio = 2;
-  count("more", [&] { remeshed(more); });
+  count("more", [&] { model.remeshed(more); });
   shape.prefer = Prefer::Shape;
-  count("shape", [&] { remeshed(shape); });
+  count("shape", [&] { model.remeshed(shape); });
   rounds.scheme = Scheme::Rounds;
-  count("rounds", [&] { remeshed(rounds); });
-  RemeshOptions bound;
+  count("rounds", [&] { model.remeshed(rounds); });
   bound.maxError = 0.5;
-  count("bound", [&] { remeshed(bound); });
+  count("bound", [&] { model.remeshed(bound); });
   bound.ratio = 0.5;
-  count("bound and number", [&] { remeshed(bound); });
+  count("bound and number", [&] { model.remeshed(bound); });
+}
+
+void runLimits(const Model& model) {
+  RemeshOptions wanted, half = toHalf();
+  wanted.minAngle = half.minAngle = 25;
+  count("angle", [&] { model.remeshed(wanted); });
+  count("half, angle", [&] { model.remeshed(half); });
+  half.minAngle.reset();
+  half.minEdge = 0.02 * model.diagonal;
+  half.maxEdge = 0.05 * model.diagonal;
+  count("half, edges", [&] { model.remeshed(half); });
+}
+
+void runQuads(const Model& model) {
+  RemeshOptions quads = toHalf();
   quads.quads = true;
-  count("quads", [&] { remeshed(quads); });
+  count("quads", [&] { model.remeshed(quads); });
   quads.symmetry = Symmetry::X;
-  count("quads, symmetric", [&] { remeshed(quads); });
+  count("quads, symmetric", [&] { model.remeshed(quads); });
   quads.symmetry = Symmetry::Auto;
   quads.maxError = 0.5;
-  count("quads, bound", [&] { remeshed(quads); });
-  RemeshOptions wanted, wantedOfHalf = half;
-  wanted.minAngle = wantedOfHalf.minAngle = 25;
-  count("angle", [&] { remeshed(wanted); });
-  count("half, angle", [&] { remeshed(wantedOfHalf); });
-  wantedOfHalf.minAngle.reset();
-  wantedOfHalf.minEdge = 0.02 * diagonal;
-  wantedOfHalf.maxEdge = 0.05 * diagonal;
-  count("half, edges", [&] { remeshed(wantedOfHalf); });
-  RemeshOptions conform = half, welded = half, region = half;
+  count("quads, bound", [&] { model.remeshed(quads); });
+}
+
+void runParts(const Model& model) {
+  RemeshOptions conform = toHalf(), welded = toHalf(), region = toHalf();
   conform.conform = true;
-  count("conform", [&] { remeshed(conform); });
+  count("conform", [&] { model.remeshed(conform); });
   welded.weld = 1;
-  count("weld", [&] { remeshed(welded); });
-  for (Index t = 0; t < triangles / 2; ++t) region.region.push_back(t);
-  count("region", [&] { remeshed(region); });
+  count("weld", [&] { model.remeshed(welded); });
+  for (Index t = 0; t < model.triangles / 2; ++t) region.region.push_back(t);
+  count("region", [&] { model.remeshed(region); });
+}
+
+void runRepairs(const Model& model) {
   for (const auto& [name, way] :
        {std::pair("auto", Repair::Auto), std::pair("holes", Repair::Holes),
         std::pair("solid", Repair::Solid), std::pair("wrap", Repair::Wrap)}) {
-    RemeshOptions alone, first = few;
+    RemeshOptions alone, first = toFew();
     alone.repair = first.repair = way;
-    count(std::string("repair ") + name, [&] { repairFile(input, "out.glb", alone); });
-    count(std::string("remesh, repair ") + name, [&] { remeshed(first); });
+    count(std::string("repair ") + name, [&] { repairFile(model.input, "out.glb", alone); });
+    count(std::string("remesh, repair ") + name, [&] { model.remeshed(first); });
   }
-  RemeshOptions baked = half;
+}
+
+void runAll(const std::string& path) {
+  Model model;
+  model.input = load(path);
+  count("inspect", [&] {
+    const MeshReport report = inspectFile(model.input).input;
+    model.diagonal = report.diagonal, model.triangles = report.triangles;
+  });
+  runTriangles(model);
+  runLimits(model);
+  runQuads(model);
+  runParts(model);
+  runRepairs(model);
+  RemeshOptions baked = toHalf();
   baked.textures = Textures::Bake;
-  FileBundle painted = input;
-  painted.pictures = greyPictures();
-  count("bake", [&] { remeshFile(painted, "out.glb", baked); });
+  model.input.pictures = greyPictures();
+  count("bake", [&] { model.remeshed(baked); });
 }
 
 }  // namespace
@@ -137,5 +170,11 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "fires FILE\n");
     return 2;
   }
-  runAll(argv[1]);
+  try {
+    runAll(argv[1]);
+  } catch (const std::exception& failure) {
+    std::fprintf(stderr, "%s\n", failure.what());
+    return 1;
+  }
+  return 0;
 }

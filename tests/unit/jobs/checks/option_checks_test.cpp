@@ -28,11 +28,11 @@ void checkExcludes(const Setting& set, const std::vector<Setting>& others) {
   }
 }
 
-const Setting setDensity = [](RemeshOptions& o) { o.density = {1, 2, 3}; };
-const Setting setEdges = [](RemeshOptions& o) { o.featureEdges = {{0, 1}}; };
-const Setting setQuads = [](RemeshOptions& o) { o.quads = true; };
-const Setting setLevels = [](RemeshOptions& o) { o.lods = {0.5}; };
-const Setting setShape = [](RemeshOptions& o) { o.prefer = Prefer::Shape; };
+void setDensity(RemeshOptions& o) { o.density = {1, 2, 3}; }
+void setEdges(RemeshOptions& o) { o.featureEdges = {{0, 1}}; }
+void setQuads(RemeshOptions& o) { o.quads = true; }
+void setLevels(RemeshOptions& o) { o.lods = {0.5}; }
+void setShape(RemeshOptions& o) { o.prefer = Prefer::Shape; }
 
 }  // namespace
 
