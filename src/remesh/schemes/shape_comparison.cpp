@@ -205,7 +205,10 @@ std::optional<Followed>& ShapeComparison::simplified() {
   if (!isWorthFollowing(built, vertices) || (more > 0 && !isOwn() && !isNearOwn))
     return simplified_;
   simplified_ = follow(built, input_, vertices - more, textures_);
-  if (simplified_ && more > 0) simplified_ = bestDivided(*simplified_, own, vertices, textures_);
+  if (!simplified_ || more == 0) return simplified_;
+  simplified_ = bestDivided(*simplified_, own, vertices, textures_);
+  // They lie in triangles of the mesh before its edges were divided. Nothing is baked onto it.
+  if (simplified_) simplified_->places.clear();
   return simplified_;
 }
 

@@ -208,6 +208,22 @@ TEST_CASE("follow: more vertices than its own take a body of flat sides no farth
   }
 }
 
+TEST_CASE("follow: the places of a divided mesh are its own, or none") {
+  TriangleMesh input = coin(64);
+  input.attributes = {{"TEXCOORD_0", 2, {}}};
+  for (const Vec3& p : input.positions)
+    for (int k = 0; k < 2; ++k) input.attributes[0].values.push_back(float(p[k]));
+  for (const double times : {1.05, 1.3, 2.0, 3.9}) {
+    CAPTURE(times);
+    RemeshOptions options;
+    options.vertices = Index(std::lround(times * double(inspectMesh(input).vertices)));
+    const RemeshOutcome outcome = remeshSurface(input, options, {});
+    CHECK((outcome.places.empty() || outcome.places.size() == outcome.mesh.indices.size()));
+    for (const InputPlace& place : outcome.places)
+      CHECK(place.triangle.index < input.triangleCount());
+  }
+}
+
 TEST_CASE("follow: with about its own number of vertices a body of flat sides stays itself") {
   const TriangleMesh input = coin(64);
   for (const Index vertices : {128u, 129u}) {
