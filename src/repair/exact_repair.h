@@ -52,8 +52,8 @@ std::optional<ExactRepair> exactlyRepaired(const TriangleMesh& input, const Exac
 // Only closes loops, and turns closed pieces that are inside out. Throws the Errors of closeHoles.
 ExactRepair closedOnly(const TriangleMesh& input, const LoopRule& rule);
 
-// Turns closed pieces that are inside out; returns whether there were any. Throws Error as buildMesh
-// does.
+// Turns closed pieces that are inside out; returns whether there were any. Throws Error as
+// buildMesh does.
 bool faceOutwards(TriangleMesh& mesh);
 
 // The mesh as it is; its open pieces count as sheets.

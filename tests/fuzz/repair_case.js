@@ -30,7 +30,8 @@ export function makeRepairCase(seed) {
 /** The reasons of repairs that keep the input's own triangles. */
 const exact = ['sound', 'closed', 'united'];
 
-/** The count of a warning that names a place, else 0. @param {any[]} warnings @param {string} name */
+/** The count of a warning that names a place, else 0.
+ * @param {any[]} warnings @param {string} name */
 const named = (warnings, name) =>
   warnings.find(({ code, at }) => code === name && at !== undefined)?.count ?? 0;
 
@@ -81,7 +82,8 @@ export async function runRepairCase({ mesh, options, count }, how = {}) {
     }
     const { warnings } = remeshed.report;
     const crossings = mayTouch ? named(warnings, 'SELF_INTERSECTIONS_MADE') : 0;
-    broken.push(...await lawsOfMended(remeshed.mesh, 'remeshed', { mayTouch, warnings, crossings }));
+    broken.push(...await lawsOfMended(remeshed.mesh, 'remeshed',
+      { mayTouch, warnings, crossings }));
     return { broken, size: mended.report.output.vertices };
   } catch (error) {
     if (error?.name === 'AbortError') return { broken: ['it does not end'], size: 0 };
