@@ -8,7 +8,6 @@ set(fast
   src/geometry/polar_map.cpp
   src/geometry/triangle.cpp
   src/geometry/triangle_tree.cpp
-  src/measure/hausdorff.cpp
   src/mesh/euler_operators.cpp
   src/mesh/halfedge_mesh.cpp
   src/original/surface/curvature.cpp
@@ -47,9 +46,8 @@ set(linear
   src/geometry/triangle_grid.cpp
   src/geometry/triangle_meeting.cpp
   src/io/text/text_scanner.cpp
-  src/measure/facing.cpp
+  src/measure/hausdorff.cpp
   src/measure/self_intersections.cpp
-  src/mesh/edge_groups.cpp
   src/mesh/mesh_builder.cpp
   src/mesh/welding.cpp
   src/original/patches/disk_parameterization.cpp
@@ -57,13 +55,10 @@ set(linear
   src/original/patches/patch_atlas.cpp
   src/original/patches/point_location.cpp
   src/remesh/conforming/facet_flips.cpp
-  src/remesh/conforming/faceted_mesh.cpp
-  src/remesh/conforming/refinement.cpp
   src/remesh/conforming/smoothing_facets.cpp
   src/remesh/gate/crossings.cpp
   src/remesh/gate/error_bound.cpp
   src/remesh/gate/excess.cpp
-  src/remesh/gate/nearness.cpp
   src/repair/solid/clean_up.cpp
   src/simplify/attribute_quadrics.cpp
   src/simplify/simplify.cpp
@@ -193,6 +188,7 @@ set(small
   src/jobs/scene_run.cpp
   src/measure/distance_bound.cpp
   src/measure/edge_report.cpp
+  src/measure/facing.cpp
   src/measure/mesh_report.cpp
   src/measure/quad_report.cpp
   src/measure/salient_vertices.cpp
@@ -200,6 +196,7 @@ set(small
   src/mesh/canonical_order.cpp
   src/mesh/check.cpp
   src/mesh/coordinate_step.cpp
+  src/mesh/edge_groups.cpp
   src/mesh/fan_cut.cpp
   src/mesh/given_order.cpp
   src/mesh/hubs.cpp
@@ -237,9 +234,12 @@ set(small
   src/remesh/accuracy/tips.cpp
   src/remesh/accuracy/uncross.cpp
   src/remesh/conforming/conforming.cpp
+  src/remesh/conforming/faceted_mesh.cpp
   src/remesh/conforming/line_corners.cpp
+  src/remesh/conforming/refinement.cpp
   src/remesh/conforming/thinning.cpp
   src/remesh/gate/crossing_guard.cpp
+  src/remesh/gate/nearness.cpp
   src/remesh/ground/stand_in.cpp
   src/remesh/guides/imprint.cpp
   src/remesh/guides/kept_guides.cpp

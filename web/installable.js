@@ -42,7 +42,7 @@ export function installable() {
         globPatterns: ['**/*.{html,js,css,wasm,woff2,obj,glb,svg,webmanifest}'],
         // The page takes files only and compresses none: it never loads what these are for.
         globIgnores: ['offline.js',
-          '**/{remesher_arrays,arrays_script,draco_encoder,meshopt_encoder,compress}-*'],
+          '**/{remesher_arrays,draco_encoder,meshopt_encoder,compress}-*'],
         maximumFileSizeToCacheInBytes: 2 ** 24,
         dontCacheBustURLsMatching: /^assets\//,
       });

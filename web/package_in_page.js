@@ -19,14 +19,18 @@ export function withoutUnused() {
   };
 }
 
-/** @returns {import('vite').Plugin} for the page's workers: what it writes is not compressed */
-export function withoutCompression() {
+/** What the page's workers never need: the page writes nothing compressed, and asks for the whole
+ * engine before anything else, which then takes arrays, too. */
+const unneeded = /\/(codecs\/compress|arrays_script)\.js$/;
+const unneededNames = 'compressed = null, requireCompressible = null, createInstance = null';
+
+/** @returns {import('vite').Plugin} for the page's workers */
+export function withoutUnneeded() {
   return {
-    name: 'without-compression',
+    name: 'without-unneeded',
     enforce: 'pre',
-    resolveId: (source) => (/\/codecs\/compress\.js$/.test(source) ? nothing : null),
-    load: (id) => (id === nothing ? 'export const compressed = null, requireCompressible = null;'
-      : null),
+    resolveId: (source) => (unneeded.test(source) ? nothing : null),
+    load: (id) => (id === nothing ? `export const ${unneededNames};` : null),
   };
 }
 

@@ -5,7 +5,7 @@ import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import { installable } from './installable.js';
 import {
-  earlyWasm, withoutCompression, withoutAnimations, withoutUnused,
+  earlyWasm, withoutAnimations, withoutUnneeded, withoutUnused,
 } from './package_in_page.js';
 import { sampleFiles } from './sample_files.js';
 import { wordsInPlace } from './words_in_place.js';
@@ -16,7 +16,7 @@ export default defineConfig({
   publicDir: false,
   plugins: [sampleFiles(), wordsInPlace(), installable(), earlyWasm(), withoutUnused()],
   // One script for all image codecs: they are much alike, and half as large if packed together.
-  worker: { format: 'es', plugins: () => [withoutCompression(), withoutAnimations()],
+  worker: { format: 'es', plugins: () => [withoutUnneeded(), withoutAnimations()],
     rolldownOptions: {
       output: { codeSplitting: { groups: [{ name: 'codecs', test: /@jsquash/ }] } } } },
   build: {

@@ -27,7 +27,7 @@ constexpr double kMuchNearer = 2, kMuchNearerPlain = 4;
 // Finishing never halves a distance.
 constexpr double kFinishing = 2;
 constexpr Samples kGlimpse = {1000, 1};
-// Up to so many times its own vertices a model with flat sides may keep its own triangles, divided;
+// Up to so many times its own vertices a part may keep its own triangles, divided;
 // with more, isotropic triangles are worth more than the last dents.
 constexpr double kMostDivided = 4;
 
@@ -111,6 +111,12 @@ std::optional<Followed> bestDivided(const Followed& followed, std::size_t places
 bool isFaceted(const BuiltMesh& built) {
   constexpr double kLeastShare = 0.5;
   return coplanarShare(built.mesh, built.positions) >= kLeastShare;
+}
+
+bool ShapeComparison::isAllFacets() const {
+  constexpr double kNearlyAll = 0.8;
+  const BuiltMesh& built = original_.surface().built();
+  return coplanarShare(built.mesh, built.positions) >= kNearlyAll;
 }
 
 ShapeComparison::ShapeComparison(const Prepared& original, const TriangleMesh& input,
@@ -221,23 +227,27 @@ std::optional<Followed>& ShapeComparison::conforming() {
 
 bool ShapeComparison::hasConforming() { return conforming().has_value(); }
 
+bool ShapeComparison::mayConform(const WorkingMesh& isotropic) {
+  return isPart() && (isSeen(isotropic) || isAllFacets());
+}
+
 bool ShapeComparison::isConformingBetter(const WorkingMesh& isotropic) {
-  if (!isPart()) return false;
-  if (isSeen(isotropic)) return conforming() && !isEvenInstead(isotropic);
-  return isFaceted(original_.surface().built()) && conforming() &&
-         evennessOf(conforming()->mesh).mean >= evennessOf(isotropic).mean - kHardlyLess;
+  if (!mayConform(isotropic) || !conforming()) return false;
+  if (isSeen(isotropic)) return !isEvenInstead(isotropic);
+  return evennessOf(conforming()->mesh).mean >= evennessOf(isotropic).mean - kHardlyLess;
 }
 
 bool ShapeComparison::isEvenInstead(const WorkingMesh& isotropic) {
-  if (!isEvenInstead_) isEvenInstead_ = conforming() && keepsPart(isotropic);
+  if (!isEvenInstead_) isEvenInstead_ = mayConform(isotropic) && keepsPart(isotropic);
   return *isEvenInstead_;
 }
 
 bool ShapeComparison::keepsPart(const WorkingMesh& isotropic) {
   const BuiltMesh& built = original_.surface().built();
   const auto own = double(distinctPositions(built.mesh, built.positions));
+  if (double(original_.places()) < kEnoughForEven * own || !conforming()) return false;
   const Evenness facets = evennessOf(conforming()->mesh);
-  if (double(original_.places()) < kEnoughForEven * own || facets.isEven(kEvenFacets)) return false;
+  if (facets.isEven(kEvenFacets)) return false;
   const double most = facets.hasNeedles() ? kInsteadOfNeedles : kInsteadOfUneven;
   if (awayOf(isotropic).farthest > most * unseen_ || !evennessOf(isotropic).isEven(kEvenIsotropic))
     return false;

@@ -57,6 +57,9 @@ class ShapeComparison {
   bool isOwn();
   bool hasEnough();
   bool isPart();
+  bool isAllFacets() const;  // but for small round places
+  // Whether a mesh of facets is worth making.
+  bool mayConform(const WorkingMesh& isotropic);
   bool keepsPart(const WorkingMesh& isotropic);
   bool isSeen(const Away& away);
   const Away& awayOf(const WorkingMesh& isotropic);
