@@ -9,7 +9,6 @@
 #include "base/place.h"
 #include "geometry/mesh_triangle.h"
 #include "geometry/triangle.h"
-#include "original/curves/feature_detection.h"
 #include "original/curves/flat_regions.h"
 #include "original/curves/shape_angles.h"
 #include "remesh/quads/quads.h"
@@ -127,13 +126,11 @@ ShapeComparison::ShapeComparison(const Prepared& original, const TriangleMesh& i
       isPlain_(isPlain(input, textures)),
       unseen_(kSeen * original.surface().diagonal()) {}
 
-// Whether the original has flat sides or, as a turned part, facets about something round between
-// sharp rims: there each dent shows.
+// Whether the original has flat sides, if only the ends of a turned part: there each dent shows.
 bool ShapeComparison::isPart() {
   if (isPart_) return *isPart_;
   const BuiltMesh& built = original_.surface().built();
-  isPart_ = !findFlatRegions(built.mesh, built.positions, 0).empty() ||
-            (isFaceted(built) && !detectFeatures(built.mesh, built.positions, {}).empty());
+  isPart_ = !findFlatRegions(built.mesh, built.positions, 0).empty();
   return *isPart_;
 }
 
