@@ -20,6 +20,8 @@ constexpr double kLike = 2;
 // A body with a smaller flat share of its area is round, with places that hardly bend; of one that
 // is made of facets, such as a turned part, small ends are flat as well.
 constexpr double kLeastShare = 0.25, kLeastOfFacets = 0.01;
+// Triangles of a region, and of an end: a facet is a quad, that is two.
+constexpr std::size_t kFewest = 2, kFewestOfEnds = 3;
 // A body is made of facets if this share of its area lies in one plane with a neighbor.
 constexpr double kMadeOfFacets = 0.5;
 
@@ -39,11 +41,13 @@ class RegionGrowth {
         seen_(mesh.faceCapacity(), 0),
         of_(mesh.faceCapacity(), kNone) {}
 
-  // None where they are a smaller share of the area.
-  FlatRegions run(double width, double leastShare) {
+  FlatRegions run(double width, bool isMadeOfFacets) {
     FlatRegions result{{}, growAll(width)};
     dropFacets(result.widths);
-    if (result.widths.empty() || flatShare() < leastShare) return {};
+    const std::size_t regions = result.widths.size();
+    const bool isFlat = flatShare(kFewest, regions) >= kLeastShare ||
+                        (isMadeOfFacets && flatShare(kFewestOfEnds, regions) >= kLeastOfFacets);
+    if (regions == 0 || !isFlat) return {};
     result.of = ofBearers();
     return result;
   }
@@ -64,7 +68,7 @@ class RegionGrowth {
       grow(seed, planeOf(seed));
       grow(seed, meanPlane());
       const double own = widthOfGrown();
-      if (faces_.size() < 2 || own < width) continue;
+      if (faces_.size() < kFewest || own < width) continue;
       for (const Face f : faces_) of_[f] = Index(widths.size());
       widths.push_back(own);
     }
@@ -205,13 +209,16 @@ class RegionGrowth {
     widths = std::move(left);
   }
 
-  // The share of the area.
-  double flatShare() const {
+  // The share of the area in regions of so many triangles and more.
+  double flatShare(std::size_t fewest, std::size_t regions) const {
+    std::vector<std::size_t> triangles(regions);
+    for (Index i = 0; i < mesh_.faceCapacity(); ++i)
+      if (of_[Face(i)] != kNone) ++triangles[of_[Face(i)]];
     double flat = 0, all = 0;
     for (Index i = 0; i < mesh_.faceCapacity(); ++i) {
       const double area = areas_[Face(i)].norm();
       all += area;
-      if (of_[Face(i)] != kNone) flat += area;
+      if (of_[Face(i)] != kNone && triangles[of_[Face(i)]] >= fewest) flat += area;
     }
     return all > 0 ? flat / all : 0;
   }
@@ -247,8 +254,8 @@ FlatRegions findFlatRegions(const HalfedgeMesh& mesh, const VertexData<Vec3>& po
                             double width) {
   const double coplanar = coplanarShare(mesh, positions);
   if (coplanar < kLeastShare) return {};
-  const double least = coplanar < kMadeOfFacets ? kLeastShare : kLeastOfFacets;
-  return RegionGrowth(mesh, positions, flatTolerance(mesh, positions)).run(width, least);
+  return RegionGrowth(mesh, positions, flatTolerance(mesh, positions))
+      .run(width, coplanar >= kMadeOfFacets);
 }
 
 FaceData<Index> findFacets(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
