@@ -37,7 +37,7 @@ import { Modules } from './modules.js';
  * @property {() => number} cores how many workers can be busy at once
  * @property {(path: string) => Promise<WebAssembly.Module>} [compileCodec] a file of another
  *   package; without it, its own code finds it
- * @property {import('../base/messages.js').ReadBlock} [readBlock] where files can be read in blocks
+ * @property {import('../base/open_file.js').BlocksOf} [blocksOf] where files can be read in blocks
  * @property {(text: string) => string} [words] how the caller knows the options that the core's
  *   sentences name by flags: as JavaScript does, if not given
  */

@@ -48,11 +48,6 @@
  */
 
 /**
- * Fills an array with the bytes of an open file from a place on; false if they cannot be read.
- * @typedef {(fd: number, at: number, into: Uint8Array) => boolean} ReadBlock
- */
-
-/**
  * Which engine: the small one, which takes arrays only, or the whole one.
  * @typedef {'arrays' | 'whole'} EngineName
  */

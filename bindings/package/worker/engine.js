@@ -15,7 +15,6 @@ import { withoutPresetBaking } from '../base/presets.js';
 /** @typedef {import('../base/messages.js').Mesh} Mesh */
 /** @typedef {import('../base/messages.js').MeshAttribute} MeshAttribute */
 /** @typedef {import('../base/messages.js').ProgressEvent} ProgressEvent */
-/** @typedef {import('../base/messages.js').ReadBlock} ReadBlock */
 
 // Memory that is kept for the next run, in bytes: getting it from the system takes a tenth of the
 // time of a draft of ten thousand vertices.
@@ -83,6 +82,8 @@ function meshLike(mesh, model) {
     ...(quads ? { quads: isSmall ? likeIndices(quads, model.indices) : quads } : {}),
   };
 }
+
+/** @typedef {import('../base/open_file.js').BlocksOf} BlocksOf */
 
 /**
  * What an engine has of its platform.

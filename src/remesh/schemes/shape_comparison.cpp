@@ -57,13 +57,23 @@ bool isPlain(const TriangleMesh& input, Textures textures) {
          std::none_of(input.attributes.begin(), input.attributes.end(), isDrawn);
 }
 
-// The mean of the triangles' smallest angles, in degrees.
-double meanAngleOf(const TriangleMesh& mesh) {
-  double mean = 0;
-  for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
-    const auto [a, b, c] = cornersOf(mesh, t);
-    mean += degrees(minAngle(a, b, c)) / double(mesh.triangleCount());
+// The triangles' smallest angles, in degrees.
+struct Evenness {
+  double mean = 0, least = 180;
+
+  void add(const Triangle& corners, double share) {
+    const double angle = degrees(minAngle(corners[0], corners[1], corners[2]));
+    mean += share * angle;
+    least = std::min(least, angle);
   }
+  bool isEven(double onAverage) const { return mean >= onAverage && least >= kEvenLeast; }
+  bool hasNeedles() const { return mean < kNeedlesMean || least < kNeedlesLeast; }
+};
+
+Evenness evennessOf(const TriangleMesh& mesh) {
+  Evenness result;
+  for (std::size_t t = 0; t < mesh.triangleCount(); ++t)
+    result.add(cornersOf(mesh, t), 1 / double(mesh.triangleCount()));
   return result;
 }
 
