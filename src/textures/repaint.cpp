@@ -76,7 +76,8 @@ void Repaint::paint(io::Model& model, const std::vector<std::vector<InputPlace>>
       {originals_, images_, classes_, classes_, places, options, unshaded_, areGiven, own, cages},
       model, Index(classCount_), progress);
   for (Warning& warning : unpaintedMaps(originals_)) model.warnings.push_back(std::move(warning));
-  for (Warning& warning : furtherTexcoords(originals_)) model.warnings.push_back(std::move(warning));
+  for (Warning& warning : furtherTexcoords(originals_))
+    model.warnings.push_back(std::move(warning));
   model.conventions = io::Conventions::Gltf;
 }
 
