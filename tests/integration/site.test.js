@@ -159,9 +159,9 @@ test('each guide has one live figure, made anew by the hand', async () => {
     await page.waitForFunction(() => /\d/.test(document.querySelector('figure > output').value));
     const before = await words();
     assert.deepEqual(await barriers(page), [], file);
-    const dial = figure.locator('input[type=range]').first();
-    if (await dial.count() === 0) continue;
-    await dial.focus();
+    const slider = figure.locator('input[type=range]').first();
+    if (await slider.count() === 0) continue;
+    await slider.focus();
     for (let i = 0; i < 3; ++i) await page.keyboard.press('ArrowRight');
     await page.waitForFunction((old) =>
       document.querySelector('figure > output').value !== old, before);

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import { ownChoices, presets, withPreset } from '../../web/model/presets.js';
-import { dialOf, firstDial, purposes, valuesFor } from '../../web/model/purposes.js';
+import { amountOf, firstAmount, purposes, valuesFor } from '../../web/model/purposes.js';
 import { lengthIn, roundLength, scaleOf, unitLike } from '../../web/model/units.js';
 
 test('a preset keeps the visitor’s own target, and not that of a purpose', () => {
@@ -15,7 +15,7 @@ test('a preset keeps the visitor’s own target, and not that of a purpose', () 
     for (const own of choices) {
       assert.deepEqual(withPreset(preset, own), { ...own, ...preset.values });
       for (const purpose of purposes) {
-        const values = valuesFor(purpose, firstDial(purpose, subject), subject);
+        const values = valuesFor(purpose, firstAmount(purpose, subject), subject);
         assert.deepEqual(ownChoices(values, own), own, purpose);
       }
     }
@@ -26,17 +26,17 @@ test('the number of a purpose is what it was set to, in the visitor’s unit', (
   const subject = { triangles: 9996, diagonal: 0.094, unit: 0.001,
     isBaked: false, isPaintable: true };
   for (const purpose of purposes) {
-    for (const dial of [firstDial(purpose, subject), 300]) {
-      const values = valuesFor(purpose, dial, subject, { isRepairOnly: false });
-      assert.ok(Math.abs(dialOf(values, subject) / dial - 1) < 0.01, `${purpose} ${dial}`);
+    for (const amount of [firstAmount(purpose, subject), 300]) {
+      const values = valuesFor(purpose, amount, subject, { isRepairOnly: false });
+      assert.ok(Math.abs(amountOf(values, subject) / amount - 1) < 0.01, `${purpose} ${amount}`);
     }
   }
-  assert.equal(firstDial('print', subject), 0.1);  // millimetres, of 94
-  assert.equal(firstDial('simulation', subject), 1);
-  assert.equal(firstDial('asset', subject), 5000);
-  assert.equal(firstDial('asset', { ...subject, triangles: 50_000 }), 8000);
-  assert.equal(firstDial('asset', { ...subject, triangles: 3e6 }), 20_000);
-  assert.equal(firstDial('asset', { ...subject, triangles: 12 }), 12);
+  assert.equal(firstAmount('print', subject), 0.1);  // millimetres, of 94
+  assert.equal(firstAmount('simulation', subject), 1);
+  assert.equal(firstAmount('asset', subject), 5000);
+  assert.equal(firstAmount('asset', { ...subject, triangles: 50_000 }), 8000);
+  assert.equal(firstAmount('asset', { ...subject, triangles: 3e6 }), 20_000);
+  assert.equal(firstAmount('asset', { ...subject, triangles: 12 }), 12);
   assert.deepEqual(valuesFor('print', 0.1, subject),
     { purpose: 'print', work: 'repair', repair: 'auto' });
   assert.equal(valuesFor('asset', 100, { ...subject, isBaked: true }).textures, 'bake');

@@ -37,12 +37,12 @@ test('each purpose, from the door to the file', () => eachPurpose(page, [1440, 9
 
 test('the number is turned, by slider and by hand, and the result follows', async () => {
   await page.setViewportSize({ width: 1024, height: 768 });
-  const first = await page.inputValue('#dial');
-  await page.focus('#dial-slider');
+  const first = await page.inputValue('#amount');
+  await page.focus('#amount-slider');
   await page.keyboard.press('End');
-  assert.notEqual(await page.inputValue('#dial'), first);
-  await page.fill('#dial', '300');
-  await page.press('#dial', 'Enter');
+  assert.notEqual(await page.inputValue('#amount'), first);
+  await page.fill('#amount', '300');
+  await page.press('#amount', 'Enter');
   await page.waitForFunction(() => /purpose=quads.*faces=300/.test(location.hash));
   await page.waitForTimeout(500);  // longer than a slider has to rest
   const quads = said(await verdict(page), 'quads');
@@ -76,7 +76,7 @@ test('a unit is kept with the model, and numbers follow it; glTF is metres', asy
   assert.match(await verdict(page), / units \(/);
   await page.selectOption('#unit', 'in');
   await page.click('#purpose-simulation');
-  assert.match(await page.textContent('.dial label'), /, in$/);
+  assert.match(await page.textContent('.amount label'), /, in$/);
   assert.match(await verdict(page), / in \(/);
   assert.match(await page.textContent('#visit-largest'), / in \(/);
   // Experts see lengths in the same unit, and percentages as lengths, too.

@@ -68,12 +68,12 @@ export async function eachPurpose(page, [width, height]) {
   await page.click('#work-remesh');
   const printed = await verdict(page);
   const [, most] = /At most ([\d.]+) mm|lies exactly/.exec(printed);
-  assert.ok(Number(most ?? 0) <= Number(await page.inputValue('#dial')), printed);
+  assert.ok(Number(most ?? 0) <= Number(await page.inputValue('#amount')), printed);
 
   const lighter = await choose(page, 'asset');
   const light = await download(page);
   assert.equal(said(lighter, 'triangles'), light.surface.faces.length);
-  assert.equal(light.surface.faces.length, number(await page.inputValue('#dial')));
+  assert.equal(light.surface.faces.length, number(await page.inputValue('#amount')));
   assert.match(light.name, /^ring-\d+\.stl$/);
   assert.match(light.label, /^Download STL[\d.]+ kB$/);
   assert.ok(lighter.includes(`${light.label.slice('Download STL'.length)} as STL`), lighter);
@@ -84,7 +84,7 @@ export async function eachPurpose(page, [width, height]) {
   const edges = surface.faces.flatMap((face) => face.map((v, i) => Math.hypot(
     ...surface.positions[v].map((x, k) => x - surface.positions[face[(i + 1) % 3]][k]))));
   const mean = edges.reduce((sum, edge) => sum + edge) / edges.length;
-  assert.ok(Math.abs(mean / Number(await page.inputValue('#dial')) - 1) < 0.1, `${mean}`);
+  assert.ok(Math.abs(mean / Number(await page.inputValue('#amount')) - 1) < 0.1, `${mean}`);
   const [, saidMean] = /Edges ([\d.]+) mm on average/.exec(simulated);
   assert.ok(Math.abs(mean / Number(saidMean) - 1) < 0.01, `${mean}, ${saidMean} said`);
 

@@ -9,6 +9,7 @@ import {
 } from '../model/guides.js';
 import { showNews } from '../panel/messages.js';
 import { currentPencil, hidePencil, showOpenLine, showPencil } from '../panel/pencil.js';
+import { keyOf } from '../model/units.js';
 
 /** @typedef {import('../model/guides.js').Stroke} Stroke */
 /** @typedef {import('../model/guides.js').Point} Point */
@@ -56,7 +57,7 @@ export class Guiding {
   /** Identifies the model whose strokes are remembered. */
   get #key() {
     const { model } = this.#page.session;
-    return model && `${model.name} ${model.size}`;
+    return model && keyOf(model);
   }
 
   get #isForQuads() {

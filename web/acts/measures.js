@@ -25,7 +25,7 @@ function tellPanel(page) {
   const isBaked = isGltf && model !== null && hasManySeams(model.bytes, vertices);
   panel.setSubject({ triangles, diagonal: surveying.diagonal, unit: size, isBaked,
     isPaintable: isGltf || isTextured },
-  { ofDial: name || t('unit.some'), ofModel: isGltf ? 'm' : name });
+  { ofAmount: name || t('unit.some'), ofModel: isGltf ? 'm' : name });
 }
 
 /** Shows how large the model is, with a choice of the unit where the format has none.

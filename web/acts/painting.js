@@ -9,6 +9,7 @@ import {
 } from '../model/density.js';
 import { currentBrush, hideBrush, showBrush } from '../panel/brush.js';
 import { ramp } from '../view/ramp.js';
+import { keyOf } from '../model/units.js';
 
 /** @typedef {import('../model/density.js').Dab} Dab */
 /** @typedef {import('./pen.js').Desk & { pen: import('./pen.js').Pen }} Desk */
@@ -53,7 +54,7 @@ export class Painting {
   /** Identifies the model whose dabs are remembered. */
   get #key() {
     const { model } = this.#page.session;
-    return model && `${model.name} ${model.size}`;
+    return model && keyOf(model);
   }
 
   /** A new original is on the stage: dabs painted on it before are restored. */

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // What a model is remeshed for: each purpose stands for options, and has one number in the
-// visitor's unit. Names and texts are purpose.ID and dial.ID in the texts.
+// visitor's unit. Names and texts are purpose.ID and amount.ID in the texts.
 import { presets } from 'remesher/options';
 import { roundLength } from './units.js';
 
 /** @typedef {import('./address.js').Values} Values */
 /** @typedef {'asset' | 'print' | 'simulation' | 'quads'} Purpose */
 
-/** What is known of the model; diagonal and unit in the model's own units; unit: of the dial;
+/** What is known of the model; diagonal and unit in the model's own units; unit: of its number;
  * isBaked: whether a lighter one gets new textures.
  * @typedef {{ triangles: number, diagonal: number, unit: number,
  *   isPaintable: boolean, isBaked: boolean }} Subject */
@@ -33,7 +33,7 @@ const few = 400;
 const shares = { tolerance: 1 / 1000, edge: 1 / 80 };
 
 /** The number that a purpose begins with. @param {Purpose} purpose @param {Subject} subject */
-export function firstDial(purpose, { triangles, diagonal, unit }) {
+export function firstAmount(purpose, { triangles, diagonal, unit }) {
   switch (purpose) {
     case 'asset':
       return triangles < few ? triangles
@@ -46,7 +46,7 @@ export function firstDial(purpose, { triangles, diagonal, unit }) {
 
 /** The limits of a purpose's slider. @param {Purpose} purpose @param {Subject} subject */
 export function rangeOf(purpose, subject) {
-  const first = firstDial(purpose, subject);
+  const first = firstAmount(purpose, subject);
   if (purpose === 'asset') {
     return { least: Math.max(20, Math.min(first, subject.triangles / 100)),
       most: Math.max(2 * first, subject.triangles) };
@@ -56,14 +56,14 @@ export function rangeOf(purpose, subject) {
 
 const digits = 4;
 
-/** What a purpose's number means as an option. @param {Purpose} purpose @param {number} dial
+/** What a purpose's number means as an option. @param {Purpose} purpose @param {number} amount
  * @param {Subject} subject @returns {Values} */
-function targetOf(purpose, dial, { diagonal, unit }) {
+function targetOf(purpose, amount, { diagonal, unit }) {
   switch (purpose) {
     case 'print':
-      return { maxError: Number((100 * dial * unit / diagonal).toPrecision(digits)) };
-    case 'simulation': return { edgeLength: Number((dial * unit).toPrecision(digits)) };
-    default: return { faces: Math.max(1, Math.round(dial)) };
+      return { maxError: Number((100 * amount * unit / diagonal).toPrecision(digits)) };
+    case 'simulation': return { edgeLength: Number((amount * unit).toPrecision(digits)) };
+    default: return { faces: Math.max(1, Math.round(amount)) };
   }
 }
 
@@ -78,16 +78,16 @@ function optionsOf(purpose, { isBaked }) {
 }
 
 /** All options of a purpose. For printing the model is only repaired, unless that is asked for.
- * @param {Purpose} purpose @param {number} dial @param {Subject} subject
+ * @param {Purpose} purpose @param {number} amount @param {Subject} subject
  * @param {{ isRepairOnly?: boolean }} [how] @returns {Values} */
-export function valuesFor(purpose, dial, subject, { isRepairOnly = purpose === 'print' } = {}) {
+export function valuesFor(purpose, amount, subject, { isRepairOnly = purpose === 'print' } = {}) {
   if (purpose === 'print' && isRepairOnly) return { purpose, work: 'repair', repair: 'auto' };
-  return { purpose, ...optionsOf(purpose, subject), ...targetOf(purpose, dial, subject) };
+  return { purpose, ...optionsOf(purpose, subject), ...targetOf(purpose, amount, subject) };
 }
 
 /** The purpose's number among some options; null if it is not set there.
  * @param {Values} values @param {Subject} subject @returns {number | null} */
-export function dialOf({ purpose, faces, maxError, edgeLength }, { diagonal, unit }) {
+export function amountOf({ purpose, faces, maxError, edgeLength }, { diagonal, unit }) {
   const value = { asset: Number(faces),
     print: Number(maxError) * diagonal / 100 / unit, simulation: Number(edgeLength) / unit,
     quads: Number(faces) }[/** @type {Purpose} */ (purpose)] ?? NaN;

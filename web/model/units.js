@@ -28,8 +28,8 @@ const kept = new Setting('units', (text) => {
 
 /** @typedef {{ name: string, size: number }} Named */
 
-/** @param {Named} model */
-const keyOf = ({ name, size }) => `${name.slice(0, 200)} ${size}`;
+/** Tells a model from others where something is kept with it. @param {Named} model */
+export const keyOf = ({ name, size }) => `${name.slice(0, 200)} ${size}`;
 
 /** The unit that the visitor has said of a model.
  * @param {Named} model @returns {Unit | undefined} */

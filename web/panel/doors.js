@@ -4,7 +4,7 @@ import { element } from '../base/dom.js';
 import { count } from '../base/format.js';
 import { t } from '../base/i18n.js';
 import {
-  dialOf, firstDial, isRepairOnly, measured, purposes, rangeOf, valuesFor,
+  amountOf, firstAmount, isRepairOnly, measured, purposes, rangeOf, valuesFor,
 } from '../model/purposes.js';
 
 /** @typedef {import('../model/purposes.js').Purpose} Purpose */
@@ -23,11 +23,11 @@ export class Doors {
   #acts;
   #doors = element('div', { className: 'doors', role: 'group' });
   #about = element('p', { className: 'help', id: 'purpose-about' });
-  #label = element('label', { htmlFor: 'dial' });
-  #number = element('input', { id: 'dial', type: 'number', min: '0', step: 'any' });
-  #slider = element('input', { id: 'dial-slider', type: 'range', min: '0', max: '1',
+  #label = element('label', { htmlFor: 'amount' });
+  #number = element('input', { id: 'amount', type: 'number', min: '0', step: 'any' });
+  #slider = element('input', { id: 'amount-slider', type: 'range', min: '0', max: '1',
     step: sliderStep });
-  #dial = element('div', { className: 'dial', hidden: true });
+  #amount = element('div', { className: 'amount', hidden: true });
   #works = element('div', { className: 'works', role: 'radiogroup', hidden: true });
   #guides = element('button', { type: 'button', className: 'chip', id: 'guides', 'data-do': 'guide',
     'aria-pressed': 'false' });
@@ -35,8 +35,8 @@ export class Doors {
   #guideCount = 0;
   view = element('div', { className: 'purposes' });
 
-  /** @param {{ onChoose: (values: Values) => void, onDial: (values: Values) => void }} acts
-   *   onChoose: a purpose, or the work, was chosen; onDial: the number changes */
+  /** @param {{ onChoose: (values: Values) => void, onAmount: (values: Values) => void }} acts
+   *   onChoose: a purpose, or the work, was chosen; onAmount: the number changes */
   constructor(acts) {
     this.#acts = acts;
     this.#number.addEventListener('input', () => this.#turn(Number(this.#number.value)));
@@ -66,13 +66,13 @@ export class Doors {
         onchange: () => this.#work(work === 'repair') });
       return element('label', { className: 'inline-check' }, input, t(`work.${work}`));
     }));
-    this.#slider.ariaLabel = t('dial.slider');
-    this.#dial.replaceChildren(this.#label, this.#number, this.#slider);
+    this.#slider.ariaLabel = t('amount.slider');
+    this.#amount.replaceChildren(this.#label, this.#number, this.#slider);
     this.setGuides(this.#guideCount);
     this.#lines.replaceChildren(this.#guides,
       element('p', { className: 'help' }, t('guides.help')));
     this.view.replaceChildren(element('h2', {}, t('purposes')), this.#doors, this.#about,
-      this.#works, this.#dial, this.#lines);
+      this.#works, this.#amount, this.#lines);
     this.show(this.#values);
   }
 
@@ -100,16 +100,16 @@ export class Doors {
     this.#about.textContent = t(purpose ? `purpose.${purpose}.about` : 'purpose.none');
     this.#works.hidden = purpose !== 'print';
     this.#lines.hidden = !values.quads;
-    this.#dial.hidden = !purpose;
+    this.#amount.hidden = !purpose;
     if (!purpose || !this.#subject) return;
     const isOnly = isRepairOnly(values);
     for (const input of this.#works.querySelectorAll('input')) {
       input.checked = input.id === (isOnly ? 'work-repair' : 'work-remesh');
     }
-    this.#dial.hidden = purpose === 'print' && isOnly;
+    this.#amount.hidden = purpose === 'print' && isOnly;
     this.#label.textContent = measured.includes(purpose)
-      ? `${t(`dial.${purpose}`)}, ${this.#unit}` : t(`dial.${purpose}`);
-    const value = dialOf(values, this.#subject) ?? firstDial(purpose, this.#subject);
+      ? `${t(`amount.${purpose}`)}, ${this.#unit}` : t(`amount.${purpose}`);
+    const value = amountOf(values, this.#subject) ?? firstAmount(purpose, this.#subject);
     if (document.activeElement !== this.#number) this.#number.value = String(value);
     if (document.activeElement !== this.#slider) {
       this.#slider.value = String(this.#toSlider(value));
@@ -119,7 +119,7 @@ export class Doors {
   /** @param {Purpose} purpose @param {boolean} [isOnly] for printing: repair only */
   #choose(purpose, isOnly) {
     if (!this.#subject) return;
-    this.#acts.onChoose(valuesFor(purpose, firstDial(purpose, this.#subject), this.#subject,
+    this.#acts.onChoose(valuesFor(purpose, firstAmount(purpose, this.#subject), this.#subject,
       { isRepairOnly: isOnly }));
   }
 
@@ -137,7 +137,7 @@ export class Doors {
   #turn(value) {
     const purpose = this.#purpose;
     if (!purpose || !this.#subject || !(value > 0)) return;
-    this.#acts.onDial({ ...this.#values,
+    this.#acts.onAmount({ ...this.#values,
       ...valuesFor(purpose, value, this.#subject, { isRepairOnly: false }) });
   }
 

@@ -137,7 +137,7 @@ export class Panel {
     this.#form = form;
     this.#acts = acts;
     this.#doors = new Doors({ onChoose: (values) => this.#run(values),
-      onDial: (values) => this.setValues(values) });
+      onAmount: (values) => this.setValues(values) });
     this.build();
     for (const part of [form, this.#options]) {
       part.addEventListener('change', ({ target }) => {
@@ -348,9 +348,9 @@ export class Panel {
 
   /** What is known of the model, of which the purposes make their numbers.
    * @param {import('../model/purposes.js').Subject} subject isPaintable: whether new textures can
-   *   be painted from it @param {{ ofDial: string, ofModel: string }} units of lengths */
-  setSubject(subject, { ofDial, ofModel }) {
-    this.#doors.setSubject(subject, ofDial);
+   *   be painted from it @param {{ ofAmount: string, ofModel: string }} units of lengths */
+  setSubject(subject, { ofAmount, ofModel }) {
+    this.#doors.setSubject(subject, ofAmount);
     this.#lengths = { unit: ofModel, diagonal: subject.diagonal };
     this.#showUnits();
     this.#setPaintable(subject.isPaintable);

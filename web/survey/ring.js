@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The ring that a plane cuts out of a surface: whoever draws across a limb sees its front only, and
-// the ring goes on behind.
+// The loop in which a plane cuts a surface: a stroke across an arm is drawn on its front only, and
+// the loop goes on behind.
 import { Vector3 } from 'three';
 
 /** @typedef {import('../triangles/soup.js').Soup} Soup */

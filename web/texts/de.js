@@ -337,11 +337,11 @@ export default {
   'works': 'Aufgabe',
   'work.repair': 'Nur reparieren',
   'work.remesh': 'Reparieren und neu vernetzen',
-  'dial.asset': 'Dreiecke, höchstens',
-  'dial.print': 'Toleranz',
-  'dial.simulation': 'Kantenlänge',
-  'dial.quads': 'Vierecke, etwa',
-  'dial.slider': 'Dasselbe, mit Schieber',
+  'amount.asset': 'Dreiecke, höchstens',
+  'amount.print': 'Toleranz',
+  'amount.simulation': 'Kantenlänge',
+  'amount.quads': 'Vierecke, etwa',
+  'amount.slider': 'Dasselbe, mit Schieber',
   'repairOnly': 'Nur reparieren',
   'unit': 'Einheit des Modells',
   'unit.none': 'ohne Einheit',
@@ -393,7 +393,7 @@ export default {
   'phase.repair': 'Reparieren',
   'phase.mend': 'Reparieren',
   'purpose.asset.about': 'Weniger Dreiecke, die gleich aussehen. Texturen bleiben, oder werden '
-    + 'neu gemalt, wo sie in vielen Stücken liegen.',
+    + 'neu gebacken, wo sie in vielen Stücken liegen.',
   'guides': 'Führungslinien zeichnen',
   'guides.some': 'Führungslinien: {count}. Zeichnen',
   'guides.help': 'Linien auf dem Modell, denen die Vierecke folgen.',
@@ -403,8 +403,8 @@ export default {
   'pencil.erase': 'Löschen',
   'pencil.direction.help': 'Auf dem Modell zeichnen: Vierecke liegen entlang der Linie. Die '
     + 'rechte Taste oder zwei Finger drehen es; Enter setzt einen Punkt in die Mitte.',
-  'pencil.loop.help': 'Quer über ein Glied zeichnen: der Ring darum wird zu Seiten von '
-    + 'Vierecken. Um ein Auge ganz herum zeichnen.',
+  'pencil.loop.help': 'Quer über einen Arm oder ein Bein zeichnen: Der Ring darum wird zu '
+    + 'Seiten von Vierecken. Um ein Auge ganz herum zeichnen.',
   'pencil.erase.help': 'Über eine Linie fahren, um sie zu entfernen.',
   'pencil.finish': 'Linie beenden',
   'pencil.noRing': 'Die Fläche ist dort offen, also schließt sich kein Ring: die Linie ist eine '

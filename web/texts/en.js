@@ -345,11 +345,11 @@ export default {
   'works': 'Work',
   'work.repair': 'Repair only',
   'work.remesh': 'Repair and remesh',
-  'dial.asset': 'Triangles, at most',
-  'dial.print': 'Tolerance',
-  'dial.simulation': 'Edge length',
-  'dial.quads': 'Quads, about',
-  'dial.slider': 'The same, by slider',
+  'amount.asset': 'Triangles, at most',
+  'amount.print': 'Tolerance',
+  'amount.simulation': 'Edge length',
+  'amount.quads': 'Quads, about',
+  'amount.slider': 'The same, by slider',
   'repairOnly': 'Repair only',
   'unit': 'Unit of the model',
   'unit.none': 'no unit',
@@ -402,8 +402,8 @@ export default {
   'repair.crossings': 'Self-intersecting triangles: {before} before, {after} now.',
   'phase.repair': 'Repairing',
   'phase.mend': 'Repairing',
-  'purpose.asset.about': 'Fewer triangles that look the same. Textures stay, or are painted anew '
-    + 'where they lie in many pieces.',
+  'purpose.asset.about': 'Fewer triangles that look the same. Textures stay, or are baked where '
+    + 'they lie in many pieces.',
   'guides': 'Draw guides',
   'guides.some': 'Guides: {count}. Draw',
   'guides.help': 'Lines on the model that quads follow.',
@@ -413,8 +413,8 @@ export default {
   'pencil.erase': 'Erase',
   'pencil.direction.help': 'Draw on the model: quads lie along the line. The right button or two '
     + 'fingers turn it; Enter adds a point in the middle.',
-  'pencil.loop.help': 'Draw across a limb: the ring round it becomes sides of quads. Round an '
-    + 'eye, draw all of it.',
+  'pencil.loop.help': 'Draw across an arm or a leg: the loop around it becomes sides of quads. '
+    + 'Around an eye, draw the whole loop.',
   'pencil.erase.help': 'Go over a line to remove it.',
   'pencil.finish': 'End line',
   'pencil.noRing': 'The surface is open there, so no ring closes: the line is a direction.',

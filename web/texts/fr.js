@@ -342,11 +342,11 @@ export default {
   'works': 'Tâche',
   'work.repair': 'Réparer seulement',
   'work.remesh': 'Réparer et remailler',
-  'dial.asset': 'Triangles, au plus',
-  'dial.print': 'Tolérance',
-  'dial.simulation': 'Longueur d’arête',
-  'dial.quads': 'Quads, environ',
-  'dial.slider': 'De même, au curseur',
+  'amount.asset': 'Triangles, au plus',
+  'amount.print': 'Tolérance',
+  'amount.simulation': 'Longueur d’arête',
+  'amount.quads': 'Quads, environ',
+  'amount.slider': 'De même, au curseur',
   'repairOnly': 'Réparer seulement',
   'unit': 'Unité du modèle',
   'unit.none': 'sans unité',
@@ -396,7 +396,7 @@ export default {
   'repair.crossings': 'Triangles qui se croisent : {before} avant, {after} maintenant.',
   'repair.islands': '{count} petits morceaux isolés retirés',
   'purpose.asset.about': 'Moins de triangles, le même aspect. Les textures restent, ou sont '
-    + 'repeintes là où elles sont en nombreux morceaux.',
+    + 'recalculées là où elles sont en nombreux morceaux.',
   'guides': 'Tracer des guides',
   'guides.some': 'Guides : {count}. Tracer',
   'guides.help': 'Des lignes sur le modèle que les quads suivent.',
@@ -406,8 +406,8 @@ export default {
   'pencil.erase': 'Effacer',
   'pencil.direction.help': 'Tracez sur le modèle : les quads suivent la ligne. Le bouton droit '
     + 'ou deux doigts le tournent ; Entrée ajoute un point au milieu.',
-  'pencil.loop.help': 'Tracez en travers d’un membre : l’anneau autour devient des côtés de '
-    + 'quads. Autour d’un œil, tracez-le en entier.',
+  'pencil.loop.help': 'Tracez en travers d’un bras ou d’une jambe : la boucle autour devient '
+    + 'des côtés de quads. Autour d’un œil, tracez-le en entier.',
   'pencil.erase.help': 'Passez sur une ligne pour l’enlever.',
   'pencil.finish': 'Finir la ligne',
   'pencil.noRing': 'La surface y est ouverte, aucun anneau ne se ferme : la ligne est une '

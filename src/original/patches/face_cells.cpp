@@ -15,7 +15,7 @@ namespace remesher {
 
 namespace {
 
-// The normals of a cell lie within acos(0.3) = 72° of its seed's normal: a cell that wraps a limb
+// The normals of a cell lie within acos(0.3) = 72° of its seed's normal: a cell that wraps a finger
 // like a sock would have a useless, squeezed image in the disk.
 constexpr float kCellCone = 0.3f;
 

@@ -59,11 +59,11 @@ constexpr std::array kRules = {
          "Each facet was meshed in its own plane, so that the shape is exactly the input's; other "
          "isotropic triangles would change it, or miss the number of vertices."},
     Rule{Decision::Surface,
-         "even-instead",
-         {is(Fact::EvenInstead)},
+         "isotropic-instead",
+         {is(Fact::IsotropicInstead)},
          Candidate::Isotropic,
-         "The facets would have uneven triangles; isotropic ones keep the sharp edges and the "
-         "volume, and are hardly seen to be away."},
+         "The triangles of the facets would be poorly shaped; isotropic ones keep the sharp edges "
+         "and the volume, and are hardly seen to be away."},
     Rule{Decision::Surface,
          "isotropic-far-unfinished",
          {is(Fact::NumberReached), is(Fact::UnfinishedFar)},

@@ -57,7 +57,7 @@ enum class Fact {
   NumberReached,        // by the isotropic triangles
   FacetsMeshed,         // facet by facet, with the number asked for
   FacetsBetter,         // the same, and isotropic triangles are seen to be away
-  EvenInstead,          // the same, but in uneven triangles, and isotropic ones are hardly off
+  IsotropicInstead,     // the same, but poorly shaped, and isotropic triangles are hardly off
   UnfinishedFar,        // the unfinished isotropic triangles are hopelessly farther away
   UnfinishedNear,       // the unfinished isotropic triangles are nowhere seen to be away
   IsotropicFar,         // the finished isotropic triangles are seen to be away

@@ -209,8 +209,9 @@ class SurfaceCandidates {
       return isotropic().isReached()
                  ? isotropic().comparison().isConformingBetter(isotropic().mesh())
                  : isotropic().comparison().hasConforming();
-    if (fact == Fact::EvenInstead)
-      return isotropic().isReached() && isotropic().comparison().isEvenInstead(isotropic().mesh());
+    if (fact == Fact::IsotropicInstead)
+      return isotropic().isReached() &&
+             isotropic().comparison().isIsotropicInstead(isotropic().mesh());
     if (fact == Fact::NumberReached) return isotropic().isReached();
     if (fact == Fact::FlatSidesRefined) return isotropic().comparison().refinesFlatSides();
     if (fact == Fact::UnfinishedFar) return isotropic().comparison().isUnfinishedFar();

@@ -26,19 +26,19 @@ constexpr double kMuchNearer = 2, kMuchNearerPlain = 4;
 // Finishing never halves a distance.
 constexpr double kFinishing = 2;
 constexpr Samples kGlimpse = {1000, 1};
-// Up to so many times its own vertices a part may keep its own triangles, divided;
-// with more, isotropic triangles are worth more than the last dents.
+// Up to so many times its own vertices a part may keep its own triangles, divided; with more,
+// isotropic triangles are worth more than the last dents.
 constexpr double kMostDivided = 4;
 
-// Triangles are even if their smallest angles are so wide, in degrees: on average, of facets and of
-// isotropic ones, and all.
-constexpr double kEvenFacets = 40, kEvenIsotropic = 45, kEvenLeast = 12;
-// Facets need so many vertices for each of the original's before even triangles can be asked for.
-constexpr double kEnoughForEven = 3;
-// How far even triangles may be away where facets would be uneven, in units of kSeen, and where
-// they would be needles; by how much the volume may change, and what share of the sharp edges must
-// still be there, within kNearEdge.
-constexpr double kInsteadOfUneven = 2, kInsteadOfNeedles = 4;
+// Triangles are well shaped if their smallest angles are at least so wide, in degrees: on average,
+// in meshes of facets and isotropic ones, and in the worst triangle.
+constexpr double kGoodFacets = 40, kGoodIsotropic = 45, kGoodLeast = 12;
+// Well-shaped triangles can be asked for from so many vertices for each of the original's on.
+constexpr double kEnoughVertices = 3;
+// The largest distance of isotropic triangles, in units of kSeen, where those of the facets would
+// be poorly shaped, and where they would be needles; the largest change of the volume, and the
+// least share of the sharp edges that is found again within kNearEdge.
+constexpr double kInsteadOfPoor = 2, kInsteadOfNeedles = 4;
 constexpr double kNeedlesMean = 30, kNeedlesLeast = 5;
 constexpr double kMostOfVolume = 1e-3, kMostOfEdges = 0.98, kNearEdge = 3;
 // By how much less, in degrees on average, the angles of a mesh of facets may be: its shape is
@@ -58,7 +58,7 @@ bool isPlain(const TriangleMesh& input, Textures textures) {
 }
 
 // The triangles' smallest angles, in degrees.
-struct Evenness {
+struct AngleQuality {
   double mean = 0, least = 180;
 
   void add(const Triangle& corners, double share) {
@@ -66,19 +66,19 @@ struct Evenness {
     mean += share * angle;
     least = std::min(least, angle);
   }
-  bool isEven(double onAverage) const { return mean >= onAverage && least >= kEvenLeast; }
+  bool isGood(double onAverage) const { return mean >= onAverage && least >= kGoodLeast; }
   bool hasNeedles() const { return mean < kNeedlesMean || least < kNeedlesLeast; }
 };
 
-Evenness evennessOf(const TriangleMesh& mesh) {
-  Evenness result;
+AngleQuality qualityOf(const TriangleMesh& mesh) {
+  AngleQuality result;
   for (std::size_t t = 0; t < mesh.triangleCount(); ++t)
     result.add(cornersOf(mesh, t), 1 / double(mesh.triangleCount()));
   return result;
 }
 
-Evenness evennessOf(const WorkingMesh& mesh) {
-  Evenness result;
+AngleQuality qualityOf(const WorkingMesh& mesh) {
+  AngleQuality result;
   for (Index f = 0; f < mesh.mesh().faceCapacity(); ++f)
     if (mesh.mesh().isAlive(Face(f)))
       result.add(mesh.corners(Face(f)), 1 / double(mesh.mesh().faceCount()));
@@ -111,8 +111,8 @@ std::optional<Followed> bestDivided(const Followed& followed, std::size_t places
   std::optional<Followed> plain = divided(followed, places, vertices, {});
   std::optional<Followed> flipped = divided(followed, places, vertices, textures);
   if (!plain || !flipped) return plain ? std::move(plain) : std::move(flipped);
-  return evennessOf(plain->mesh).mean >= evennessOf(flipped->mesh).mean ? std::move(plain)
-                                                                        : std::move(flipped);
+  return qualityOf(plain->mesh).mean >= qualityOf(flipped->mesh).mean ? std::move(plain)
+                                                                      : std::move(flipped);
 }
 
 }  // namespace
@@ -240,23 +240,23 @@ bool ShapeComparison::mayConform(const WorkingMesh& isotropic) {
 
 bool ShapeComparison::isConformingBetter(const WorkingMesh& isotropic) {
   if (!mayConform(isotropic) || !conforming()) return false;
-  if (isSeen(isotropic)) return !isEvenInstead(isotropic);
-  return evennessOf(conforming()->mesh).mean >= evennessOf(isotropic).mean - kHardlyLess;
+  if (isSeen(isotropic)) return !isIsotropicInstead(isotropic);
+  return qualityOf(conforming()->mesh).mean >= qualityOf(isotropic).mean - kHardlyLess;
 }
 
-bool ShapeComparison::isEvenInstead(const WorkingMesh& isotropic) {
-  if (!isEvenInstead_) isEvenInstead_ = mayConform(isotropic) && keepsPart(isotropic);
-  return *isEvenInstead_;
+bool ShapeComparison::isIsotropicInstead(const WorkingMesh& isotropic) {
+  if (!isIsotropicInstead_) isIsotropicInstead_ = mayConform(isotropic) && keepsPart(isotropic);
+  return *isIsotropicInstead_;
 }
 
 bool ShapeComparison::keepsPart(const WorkingMesh& isotropic) {
   const BuiltMesh& built = original_.surface().built();
   const auto own = double(distinctPositions(built.mesh, built.positions));
-  if (double(original_.places()) < kEnoughForEven * own || !conforming()) return false;
-  const Evenness facets = evennessOf(conforming()->mesh);
-  if (facets.isEven(kEvenFacets)) return false;
-  const double most = facets.hasNeedles() ? kInsteadOfNeedles : kInsteadOfUneven;
-  if (awayOf(isotropic).farthest > most * unseen_ || !evennessOf(isotropic).isEven(kEvenIsotropic))
+  if (double(original_.places()) < kEnoughVertices * own || !conforming()) return false;
+  const AngleQuality facets = qualityOf(conforming()->mesh);
+  if (facets.isGood(kGoodFacets)) return false;
+  const double most = facets.hasNeedles() ? kInsteadOfNeedles : kInsteadOfPoor;
+  if (awayOf(isotropic).farthest > most * unseen_ || !qualityOf(isotropic).isGood(kGoodIsotropic))
     return false;
   const Surface original{built.mesh, built.positions};
   const Surface made{isotropic.mesh(), isotropic.positions()};

@@ -41,9 +41,9 @@ class ShapeComparison {
   // triangles, because these are seen to be away or hardly more even.
   bool isConformingBetter(const WorkingMesh& isotropic);
   bool hasConforming();
-  // Whether there are vertices enough for even triangles, which the facets have not, and finished
-  // isotropic ones keep the part but for dents that are hardly seen.
-  bool isEvenInstead(const WorkingMesh& isotropic);
+  // Whether the triangles of the facets are poorly shaped, though there are vertices enough, and
+  // finished isotropic triangles keep the part but for dents that are hardly seen.
+  bool isIsotropicInstead(const WorkingMesh& isotropic);
   // Whether more vertices are wanted than the original has, and flat sides show each dent.
   bool refinesFlatSides();
 
@@ -74,7 +74,7 @@ class ShapeComparison {
   Textures textures_;
   bool isPlain_;   // no textures, no colours, no second group
   double unseen_;  // the largest distance at any one point that is not seen, model units
-  std::optional<bool> isOwn_, hasEnough_, isPart_, isEvenInstead_;
+  std::optional<bool> isOwn_, hasEnough_, isPart_, isIsotropicInstead_;
   Unfinished unfinished_ = Unfinished::Unknown;
   std::optional<Away> finished_;  // of the finished isotropic triangles
   bool isSimplified_ = false;     // whether simplification was tried

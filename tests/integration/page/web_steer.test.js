@@ -63,10 +63,10 @@ test('nothing follows when that is not wanted', async () => {
 
 test('a purpose sets options for all to see', async () => {
   await page.click('#purpose-print');
-  assert.equal(await page.isVisible('#dial'), false, 'repair has no number');
+  assert.equal(await page.isVisible('#amount'), false, 'repair has no number');
   await settled(page);
   await page.click('#work-remesh');
-  assert.equal(await value('#dial'), '0.01');  // of a torus whose diagonal is 8.1
+  assert.equal(await value('#amount'), '0.01');  // of a torus whose diagonal is 8.1
   assert.equal(await value('#option-maxError'), '0.1238');
   assert.equal(await value('#option-adaptivity'), '0.7');
   assert.equal(await value('#target'), '');
@@ -184,7 +184,7 @@ test('the field shows on a draft of quads while a slider moves, and goes with it
       document.getElementById('right-name').textContent]))
       .observe(canvas, { attributes: true, attributeFilter: ['data-calls'] });
   });
-  await page.focus('#dial-slider');
+  await page.focus('#amount-slider');
   await page.keyboard.press('ArrowLeft');
   await page.waitForFunction(() => document.getElementById('right-name').textContent === 'Draft');
   await page.waitForFunction(() => document.body.dataset.state === 'idle'

@@ -14,7 +14,7 @@ export default {
   'chosen.facets-conforming': 'Jede ebene Fläche wurde für sich vernetzt, sodass die Form genau '
     + 'die des Originals ist; andere gleichmäßige Dreiecke würden sie ändern oder die Zahl der '
     + 'Punkte verfehlen.',
-  'chosen.even-instead': 'Die ebenen Flächen bekämen ungleichmäßige Dreiecke; gleichmäßige '
+  'chosen.isotropic-instead': 'Die ebenen Flächen bekämen ungleichmäßige Dreiecke; gleichmäßige '
     + 'erhalten die scharfen Kanten und das Volumen und weichen kaum sichtbar ab.',
   'chosen.isotropic-far-unfinished': 'Gleichmäßige Dreiecke würden die Form viel stärker ändern '
     + 'als Vereinfachen.',

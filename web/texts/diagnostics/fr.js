@@ -15,7 +15,7 @@ export default {
   'chosen.facets-conforming': 'Chaque facette a été maillée dans son plan, la forme est donc '
     + 'exactement celle de l’original ; d’autres triangles réguliers la changeraient ou '
     + 'manqueraient le nombre de sommets.',
-  'chosen.even-instead': 'Les facettes auraient des triangles irréguliers ; des triangles '
+  'chosen.isotropic-instead': 'Les facettes auraient des triangles irréguliers ; des triangles '
     + 'réguliers gardent les arêtes vives et le volume, et s’en écartent à peine visiblement.',
   'chosen.isotropic-far-unfinished': 'Des triangles réguliers changeraient la forme bien plus '
     + 'que la simplification.',

@@ -108,16 +108,16 @@ TEST_CASE("conformed: with enough vertices a thin wall of facets has no needle")
   CHECK(inspectMesh(made.mesh).minAngle.worst > 15);
 }
 
-TEST_CASE("conformed: facets that would be uneven give way to even triangles that keep the part") {
+TEST_CASE("conformed: poorly shaped facets give way to isotropic triangles that keep the part") {
   const TriangleMesh flange =
       turnedAbout({{4, 0}, {20, 0}, {20, 5}, {10, 5}, {10, 25}, {4, 25}}, 72);
   const BuiltMesh built = buildMesh(flange);
   const auto ruleAt = [&](Index vertices) {
     return remeshed(flange, vertices, Prefer::Auto).chosen.rule;
   };
-  CHECK(ruleAt(2 * 432) == "facets-conforming");  // too few for even triangles
+  CHECK(ruleAt(2 * 432) == "facets-conforming");  // too few for well-shaped triangles
   const RemeshOutcome made = remeshed(flange, 4 * 432, Prefer::Auto);
-  CHECK(made.chosen.rule == "even-instead");
+  CHECK(made.chosen.rule == "isotropic-instead");
   const MeshReport report = inspectMesh(made.mesh);
   CHECK(report.minAngle.mean > 45);
   CHECK(report.minAngle.worst > 12);
