@@ -51,8 +51,9 @@ RemeshFileResult repairFile(const FileBundle& input, const std::string& outputNa
   else
     io::unite(model, outputName);
   model.isExact = true;  // a repaired surface must not intersect itself for any reader
+  const bool stays = mayStay(input, outputName, model);
   RepairedParts repaired = inFile(input.file.name, [&] {
-    return repairOnly(model.parts, heldIn(outputName), options, whole.part(kReadShare, 1));
+    return repairOnly(model.parts, heldIn(outputName), stays, options, whole.part(kReadShare, 1));
   });
   model.leftOut = repaired.leftOut;
   Report& report = repaired.report;
@@ -65,7 +66,7 @@ RemeshFileResult repairFile(const FileBundle& input, const std::string& outputNa
     });
   whole.phase("write", 1, 1);
   const bool keepsLook = painting.textures == Textures::Auto || painting.textures == Textures::Keep;
-  if (keepsLook && repaired.isUnchanged && mayStay(input, outputName, model)) {
+  if (keepsLook && repaired.isUnchanged && stays) {
     report.warnings = joined(model.warnings, report.warnings);
     return {{{outputName, io::whole(input.file).bytes}}, {}, timed(std::move(report), clock)};
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/place.h"
 #include "io/model/same_mesh.h"
 #include "jobs/checks/precision.h"
 #include "jobs/checks/result_check.h"
@@ -80,6 +81,15 @@ std::vector<Warning> damageIn(const Report& report, const std::vector<io::Part>&
                                          lostToRounding(report, result));
   std::erase_if(warnings, [](const Warning& warning) { return warning.code == "ANGLES_WORSE"; });
   return warnings;
+}
+
+// Whether joining and rounding have joined only what was equal to the last bit.
+bool joinsNothing(const TriangleMesh& given, const TriangleMesh& joined) {
+  const std::vector<Index> first = weld(joined.positions);
+  if (given.positions.size() != first.size()) return false;
+  for (Index v = 0; v < first.size(); ++v)
+    if (given.positions[v] != given.positions[first[v]]) return false;
+  return true;
 }
 
 }  // namespace
@@ -196,15 +206,23 @@ std::vector<io::Part> Mending::kept(std::vector<io::Part> given) const {
   return left;
 }
 
-RepairedParts repairOnly(std::vector<io::Part>& parts, Held held, const RemeshOptions& options,
-                         const Progress& progress) {
+RepairedParts repairOnly(std::vector<io::Part>& parts, Held held, bool mayStay,
+                         const RemeshOptions& options, const Progress& progress) {
   const std::vector<io::Part> given = parts;
   parts = joinedPlaces(std::move(parts), options);
   const std::vector<io::Part> originals = parts;
   const Mending mending(parts, options, progress, Mending::Purpose::Itself);
-  const std::vector<io::Part> left = mending.kept(originals);
-  bool isRounded = false;  // whether rounding moved a vertex
+  const std::vector<io::Part> left = mending.kept(originals), asGiven = mending.kept(given);
+  std::vector<io::Part> begun = left;  // as repair began with them
+  roundToSingle(begun);
+  bool isRounded = false;  // whether rounding moved a vertex, or is undone
   for (std::size_t i = 0; i < parts.size(); ++i) {
+    const TriangleMesh& own = asGiven[i].mesh;
+    if (mayStay && io::isSame(parts[i].mesh, begun[i].mesh) && joinsNothing(own, begun[i].mesh)) {
+      isRounded = isRounded || !io::isSame(own, begun[i].mesh);
+      parts[i].mesh = own;
+      continue;
+    }
     const std::vector<Vec3> exact = parts[i].mesh.positions;
     parts[i].mesh = inPrecisionOf(left[i].mesh, std::move(parts[i].mesh)).mesh;
     isRounded = isRounded || parts[i].mesh.positions != exact;

@@ -73,9 +73,10 @@ struct RepairedParts {
 };
 
 // Repairs the parts in place. The report describes them as the file holds them, and lacks only the
-// times.
-RepairedParts repairOnly(std::vector<io::Part>& parts, Held held, const RemeshOptions& options,
-                         const Progress& progress);
+// times. mayStay: whether the given file is the result if nothing is wrong with it; else parts with
+// nothing wrong are rounded for the file that is written.
+RepairedParts repairOnly(std::vector<io::Part>& parts, Held held, bool mayStay,
+                         const RemeshOptions& options, const Progress& progress);
 
 // Sets textures to be baked if the options leave it open and repair has made another surface
 // (more than closed holes), because charts may end anywhere on it. Adds a warning to the model.

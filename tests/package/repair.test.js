@@ -44,6 +44,19 @@ test('a hole is closed, and what was there is there bit for bit', async () => {
   assert.deepEqual(mesh.indices.slice(0, open.indices.length), open.indices);
 });
 
+test('a sound STL in text comes back byte for byte, whatever its digits', async () => {
+  const { positions, indices } = whole;
+  const place = (/** @type {number} */ v) => Array.from(positions.subarray(3 * v, 3 * v + 3),
+    (x) => (x + 1 / 3).toExponential(9));
+  const corner = (/** @type {number} */ v) => `vertex ${place(v).join(' ')}`;
+  const facets = Array.from({ length: indices.length / 3 }, (_, t) => ['facet normal 0 0 0',
+    'outer loop', ...[0, 1, 2].map((k) => corner(indices[3 * t + k])), 'endloop', 'endfacet']);
+  const bytes = Buffer.from(['solid torus', ...facets.flat(), 'endsolid torus', ''].join('\n'));
+  const { bytes: result, report } = await repairFile(bytes, { name: 'torus.stl', repair: 'auto' });
+  assert.equal(report.chosen.rule, 'kept');
+  assert.deepEqual(Buffer.from(result), bytes);
+});
+
 test('holes longer than asked for stay open, with a warning', async () => {
   const { report } = await repair(open, { holesUpTo: 0.001 });
   assert.equal(report.repair.holes, 0);
