@@ -14,7 +14,7 @@ struct InsideField {
   std::vector<float> shares;   // per point: how sure it lies inside, 0 to 1
   std::vector<char> isInside;  // per point
   double unsure = 0;           // share of the points beside the surface where half lines disagree
-  std::vector<Index> sheets;   // triangles with the outside on both sides
+  std::vector<Index> sheets;   // per crossing with the outside on both sides: its triangle
 };
 
 // The crossings' triangles face outwards. Outside are the border of the lattice and the points

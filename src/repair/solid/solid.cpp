@@ -2,6 +2,7 @@
 #include "repair/solid/solid.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "geometry/triangle.h"
@@ -78,17 +79,21 @@ std::size_t countSheets(const OrientedPatches& patches, const std::vector<Index>
   return std::size_t(std::count(isSheet.begin(), isSheet.end(), 1));
 }
 
-// The share of the area that these faces have.
-double shareOf(const BuiltMesh& built, std::vector<Index> faces) {
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-  const auto areaOfFace = [&](Index f) {
-    const auto [a, b, c] = built.mesh.vertices(Face(f));
-    return area(built.positions[a], built.positions[b], built.positions[c]);
-  };
+// Of the area of all triangles that lines of the lattice cross, the share of those with the outside
+// on both sides. Where triangles are smaller than cells many are crossed by none.
+double shareOfSheets(const BuiltMesh& built, std::span<const EdgeCrossing> crossings,
+                     std::span<const Index> sheets) {
+  std::vector<char> isCrossed(built.mesh.faceCapacity(), 0), isSheet = isCrossed;
+  for (const EdgeCrossing& c : crossings) isCrossed[c.triangle] = 1;
+  for (const Index f : sheets) isSheet[f] = 1;
   double all = 0, own = 0;
-  for (Index f = 0; f < built.mesh.faceCapacity(); ++f) all += areaOfFace(f);
-  for (const Index f : faces) own += areaOfFace(f);
+  for (Index f = 0; f < isCrossed.size(); ++f) {
+    if (!isCrossed[f]) continue;
+    const auto [a, b, c] = built.mesh.vertices(Face(f));
+    const double size = area(built.positions[a], built.positions[b], built.positions[c]);
+    all += size;
+    if (isSheet[f]) own += size;
+  }
   return all > 0 ? own / all : 0;
 }
 
@@ -164,7 +169,7 @@ Enclosure SolidGround::enclosure() const {
                            ? onBorder(known_->lattice, known_->patches, known_->crossings, isInside)
                            : std::vector<char>(known_->patches.count, 0));
   result.sheets = countSheets(known_->patches, known_->field.sheets);
-  result.sheetShare = shareOf(known_->built, known_->field.sheets);
+  result.sheetShare = shareOfSheets(known_->built, known_->crossings, known_->field.sheets);
   result.unsure = known_->field.unsure;
   measureLost(known_->lattice, known_->field, known_->crossings, result);
   result.isAny = std::find(isInside.begin(), isInside.end(), 1) != isInside.end();

@@ -18,7 +18,7 @@ struct Enclosure {
   double lost = 0;         // percent of the lines that do not find what they see on the border
   std::size_t sheets = 0;  // open pieces with nothing behind them, in part or as a whole
   double unsure = 0;       // share of the points beside the surface whose side is in dispute
-  double sheetShare = 0;   // of the area: triangles with the outside on both sides
+  double sheetShare = 0;   // of the area that lines of the lattice cross: outside on both sides
   bool isAny = false;      // whether anything is enclosed
 };
 

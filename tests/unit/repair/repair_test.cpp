@@ -134,6 +134,15 @@ TEST_CASE("repair: how many vertices follow does not decide what is a sheet") {
   }
 }
 
+TEST_CASE("repair: how many triangles a sheet has does not decide that it is one") {
+  for (const int cells : {8, 40, 120}) {
+    TriangleMesh sheet = shapes::grid(cells, cells);
+    for (Vec3& p : sheet.positions) p = Vec3(p.x() / cells, p.y() / cells, 0);
+    for (Vec3& p : sheet.positions) p.z() = 0.1 * std::sin(7 * p.x()) * std::cos(5 * p.y());
+    CHECK(mended(sheet).report.reason == "sheets");
+  }
+}
+
 TEST_CASE("repair: auto leaves sheets alone, with a warning that has a place") {
   const TriangleMesh sheet = shapes::grid(9, 7);
   const RepairedMesh result = mended(sheet);
