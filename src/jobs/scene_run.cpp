@@ -229,12 +229,15 @@ SceneRun remeshInspected(const SceneInput& input, const RemeshOptions& wanted,
   return run;
 }
 
+// Whether simplification, the nearest for a number of vertices, may make a scene or a level.
+bool maySimplify(const RemeshOptions& options) {
+  return options.prefer == Prefer::Auto && options.scheme == Scheme::Best && !options.quads &&
+         !options.splitObtuse && options.boundary == Boundary::Resample && options.density.empty();
+}
+
 // Remeshes with one number of vertices after the other, until the result has as many faces as the
 // budget allows. Most results meet it at once; later ones show no progress.
-SceneRun remeshInBudget(const SceneInput& input, const RemeshOptions& wanted,
-                        const Progress& progress) {
-  if (!wanted.faces) return remeshInspected(input, wanted, progress);
-  RemeshOptions options = wanted;
+SceneRun remeshTowards(const SceneInput& input, RemeshOptions options, const Progress& progress) {
   options.tooFew = TooFew::Raise;
   FaceSearch search(options, input.originals.report());
   std::optional<SceneRun> best;
@@ -251,6 +254,32 @@ SceneRun remeshInBudget(const SceneInput& input, const RemeshOptions& wanted,
   return std::move(*best);
 }
 
+// Simplification takes no more triangles than are given: the budget is the most that there may be.
+SceneRun remeshInBudget(const SceneInput& input, const RemeshOptions& wanted,
+                        const Progress& progress) {
+  if (!wanted.faces) return remeshInspected(input, wanted, progress);
+  RemeshOptions options = wanted;
+  const std::size_t given = input.originals.report().triangles;
+  if (options.prefer == Prefer::Shape && !options.quads)
+    options.faces = Index(std::min(std::size_t{*options.faces}, given));
+  SceneRun made = remeshTowards(input, options, progress);
+  SceneRun simplified;
+  const auto isSimplifiedWithin = [&] {
+    if (!maySimplify(options)) return false;
+    RemeshOptions shape = options;
+    shape.prefer = Prefer::Shape;
+    simplified = remeshTowards(input, shape, progress.part(1, 1));
+    return facesOf(*simplified.report.output) < facesOf(*made.report.output);
+  };
+  const Rule& rule = choose(Decision::Budget, [&](Fact fact) {
+    if (fact == Fact::BudgetExceeded) return facesOf(*made.report.output) > *options.faces;
+    return fact == Fact::SimplifiedWithin && isSimplifiedWithin();
+  });
+  if (rule.taken == Candidate::AsMade) return made;
+  for (Chosen& chosen : simplified.report.chosen) chosen = inReport(rule);
+  return simplified;
+}
+
 // The options of a level of detail: a share of the whole's target, raised to the fewest vertices
 // that the surface needs.
 RemeshOptions optionsOfLevel(RemeshOptions options, double share) {
@@ -265,12 +294,6 @@ RemeshOptions optionsOfLevel(RemeshOptions options, double share) {
   else
     options.ratio = share * options.ratio.value_or(1);
   return options;
-}
-
-// Whether simplification, the nearest for a number of vertices, may make a level.
-bool maySimplify(const RemeshOptions& options) {
-  return options.prefer == Prefer::Auto && options.scheme == Scheme::Best && !options.quads &&
-         !options.splitObtuse && options.boundary == Boundary::Resample && options.density.empty();
 }
 
 // The options of a level of so many vertices, whose distance decides.

@@ -23,6 +23,8 @@ namespace {
 // A distance along the surface counts as some 450th of a distance away from it, so that triangles
 // on flat parts stay even.
 constexpr double kSideways = 5e-6;
+// Where only costs are asked for it hardly counts: just so that the places of vertices are unique.
+constexpr double kUnseenSideways = 1e-10;
 // The weights of edges, times their squared length: of a border, to which the two sides of a seam
 // add up, and of either side of a sharp edge within the surface.
 constexpr double kBorder = 2, kCrease = 0.2;
@@ -48,10 +50,11 @@ enum class Freedom : char { Free, Seam, Fixed };
 
 class Simplification {
  public:
-  Simplification(SimpleSurface& surface, KeptAttributes* kept)
+  Simplification(SimpleSurface& surface, KeptAttributes* kept, double sideways = kSideways)
       : surface_(surface),
         mesh_(surface.mesh),
         kept_(kept),
+        sideways_(sideways),
         quadrics_(mesh_.vertexCapacity()),
         stamps_(mesh_.vertexCapacity(), 0),
         freedom_(mesh_.vertexCapacity(), Freedom::Free) {
@@ -73,9 +76,14 @@ class Simplification {
     while (mesh_.vertexCount() > vertices && !queue_.empty()) {
       const Offer offered = queue_.top();
       queue_.pop();
-      if (isCurrent(offered) && isLegal(offered.halfedge) && !turns(offered)) collapse(offered);
+      if (!isCurrent(offered) || !isLegal(offered.halfedge) || turns(offered)) continue;
+      costs_.push_back(costs_.empty() ? offered.cost : std::max(offered.cost, costs_.back()));
+      collapse(offered);
     }
   }
+
+  // Of the collapses so far, none below the one before.
+  const std::vector<double>& costs() const { return costs_; }
 
   // Flips edges where the smallest angle of their two triangles grows, by more than rounding, which
   // would turn the diagonals of a square for ever. The smallest angles of the mesh only grow, so
@@ -105,7 +113,7 @@ class Simplification {
     const double own = area(a, b, c);
     for (const Vertex v : vertices) {
       quadrics_[v].addPlane(normal, a, own);
-      quadrics_[v].addPoint(at(v), kSideways * own);
+      quadrics_[v].addPoint(at(v), sideways_ * own);
       quadrics_[v].area += own;
     }
     if (attributes_) {
@@ -335,6 +343,7 @@ class Simplification {
   SimpleSurface& surface_;
   const HalfedgeMesh& mesh_;
   KeptAttributes* kept_;
+  double sideways_;
   std::optional<AttributeQuadrics> attributes_;
   double leastTurned_ = kTurned;
   Vec3 center_ = Vec3::Zero();
@@ -343,6 +352,7 @@ class Simplification {
   VertexData<Freedom> freedom_;
   std::priority_queue<Offer> queue_;
   std::vector<Halfedge> around_;
+  std::vector<double> costs_;
 };
 
 }  // namespace
@@ -352,6 +362,13 @@ void simplify(SimpleSurface& surface, std::size_t vertices, KeptAttributes* kept
   simplification.run(kTurned, vertices);
   simplification.run(0, vertices);  // 90°
   if (kept == nullptr) simplification.widenAngles();
+}
+
+std::vector<double> collapseCosts(SimpleSurface& surface, KeptAttributes* kept) {
+  Simplification simplification(surface, kept, kUnseenSideways);
+  simplification.run(kTurned, 0);
+  simplification.run(0, 0);
+  return simplification.costs();
 }
 
 }  // namespace remesher

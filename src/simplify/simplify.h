@@ -34,4 +34,9 @@ struct KeptAttributes {
 // of charts on neither side of it keep their wedge, now at the place of another vertex.
 void simplify(SimpleSurface& surface, std::size_t vertices, KeptAttributes* kept = nullptr);
 
+// The costs of the collapses that simplify() does until nothing more goes, none below the one
+// before: the sum of squared distances, each times the area that it stands for, times the square
+// root of that area. Unit: the fifth power of a length. The surface is left simplified.
+std::vector<double> collapseCosts(SimpleSurface& surface, KeptAttributes* kept = nullptr);
+
 }  // namespace remesher

@@ -62,7 +62,11 @@ PartTargets::PartTargets(const std::vector<io::Part>& parts, const std::vector<P
   given_.assign(parts.size(), 0);
   verticesLeft_ = options.vertices ? double(*options.vertices) : 0;
   reserved_.assign(parts.size(), 0);
-  if (parts.size() > 1 && options.vertices) reserveForCharts();
+  if (parts.size() <= 1 || !options.vertices) return;
+  if (options.prefer == Prefer::Shape && !options.quads)
+    byShape_.emplace(parts, places, options.textures);
+  else
+    reserveForCharts();
 }
 
 // Reserves vertices for charts, those with the smallest need first, as long as any are left.
@@ -90,6 +94,10 @@ void PartTargets::reserveForCharts() {
 // The part's share by area of the vertices left, among the parts whose share is not below their
 // reserve; the others get their reserve.
 double PartTargets::shareOf(std::size_t part) const {
+  if (byShape_) {
+    const auto at = std::find(waiting_.begin(), waiting_.end(), part) - waiting_.begin();
+    return byShape_->shares(waiting_, verticesLeft_)[std::size_t(at)];
+  }
   std::vector<std::size_t> byArea = waiting_;
   double vertices = verticesLeft_;
   for (;;) {

@@ -4,11 +4,13 @@
 // get them, and the larger parts get fewer.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "base/options.h"
 #include "io/model/model.h"
 #include "jobs/parts/part_places.h"
+#include "jobs/parts/shape_shares.h"
 #include "remesh/schemes/targets.h"
 
 namespace remesher {
@@ -23,8 +25,9 @@ class PartTargets {
   const std::vector<std::size_t>& order() const { return order_; }
 
   // The options of one part, to be called in this order. An absolute number of vertices is shared
-  // by the needs of charts, then by area in the world; an edge length is in units of the world. A
-  // coarser level of detail comes after the finest and keeps its proportion to it.
+  // by the needs of charts, then by area in the world, or, where the shape is preferred, by what
+  // the shapes of the parts need; an edge length is in units of the world. A coarser level of
+  // detail comes after the finest and keeps its proportion to it.
   RemeshOptions of(std::size_t part) const;
 
   // Throws the Error for a part that was refused its number; if there are several parts, with a
@@ -43,6 +46,7 @@ class PartTargets {
   const std::vector<io::Part>& parts_;
   const std::vector<PartPlace>& places_;
   const RemeshOptions& options_;
+  std::optional<ShapeShares> byShape_;  // instead of areas and charts
   std::vector<double> areas_;
   std::vector<double> reserved_;  // least vertices of a part, as far as they are left
   std::vector<std::size_t> order_;

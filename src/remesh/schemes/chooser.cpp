@@ -158,6 +158,14 @@ constexpr std::array kRules = {
          "repaired surface is written."},
     Rule{Decision::Written, "as-made", {}, Candidate::AsMade, "The rounded mesh is as sound."},
 
+    Rule{Decision::Budget,
+         "budget-simplified",
+         {is(Fact::BudgetExceeded), is(Fact::SimplifiedWithin)},
+         Candidate::Simplified,
+         "Isotropic triangles would exceed the budget; simplification keeps it, or exceeds it by "
+         "less."},
+    Rule{Decision::Budget, "as-made", {}, Candidate::AsMade, "The budget is kept."},
+
     Rule{Decision::Part,
          "no-surface",
          {is(Fact::NoArea)},

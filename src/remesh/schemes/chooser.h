@@ -22,6 +22,7 @@ enum class Decision {
   Repaired,    // a simplified mesh of a surface that was repaired
   Crossings,   // a result that intersects itself where the input does not
   Written,     // a result rounded to the digits that are written
+  Budget,      // a scene with a budget of triangles
   Part,        // a mesh of a file that may be no surface
   RepairOnly,  // repair without remeshing
 };
@@ -75,6 +76,8 @@ enum class Fact {
   CrossingsMade,       // by a run that may mend them, of an input without any
   UncrossedReplaces,   // same number, hardly farther away, angles hardly worse, no crossing
   SimplifiedReplaces,  // same number, hardly farther away, no crossing
+  BudgetExceeded,      // by what the parts of the scene need at least
+  SimplifiedWithin,    // simplification keeps the budget, or exceeds it by less
   NoArea,              // each triangle is a line
   Unchanged,           // repair left every coordinate and triangle as it was
 };

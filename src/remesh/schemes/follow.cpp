@@ -124,6 +124,23 @@ VertexData<char> atJoints(const BuiltMesh& built) {
   return isAtJoint;
 }
 
+// The original as the simplifier takes it, with the attributes that its vertices keep; baked
+// textures need none.
+struct Beginning {
+  Beginning(const BuiltMesh& original, const TriangleMesh& input, Textures textures)
+      : surface{original.mesh, original.positions, seamsOf(original, input, textures)},
+        attributes(attributesAsLengths(original, input)),
+        keepsLook(textures != Textures::Bake) {
+    if (original.keepsJoints) surface.held = atJoints(original);
+  }
+
+  KeptAttributes* kept() { return keepsLook && attributes.itemSize > 0 ? &attributes : nullptr; }
+
+  SimpleSurface surface;
+  KeptAttributes attributes;
+  bool keepsLook;
+};
+
 }  // namespace
 
 HalfedgeData<char> seamsOf(const BuiltMesh& built, const TriangleMesh& input, Textures textures) {
@@ -197,23 +214,37 @@ bool isWorthFollowing(const BuiltMesh& original, std::size_t positions) {
   return original.mesh.vertexCount() <= kMostThinned * positions;
 }
 
+std::vector<double> followCosts(const BuiltMesh& original, const TriangleMesh& input,
+                                Textures textures) {
+  Beginning begin(original, input, textures);
+  const std::vector<double> costs = collapseCosts(begin.surface, begin.kept());
+  const std::size_t before = distinctPositions(original.mesh, original.positions),
+                    left = distinctPositions(begin.surface.mesh, begin.surface.positions);
+  std::vector<double> ofPositions;
+  for (std::size_t i = 0; i + left < before; ++i)
+    ofPositions.push_back(costs[i * costs.size() / (before - left)]);
+  return ofPositions;
+}
+
 std::optional<Followed> follow(const BuiltMesh& original, const TriangleMesh& input,
-                               std::size_t positions, Textures textures) {
+                               std::size_t positions, const FollowRule& rule) {
   std::size_t now = distinctPositions(original.mesh, original.positions);
-  const bool keepsLook = textures != Textures::Bake;
-  if (now < positions || (now == positions && !keepsLook)) return {};
-  SimpleSurface surface{original.mesh, original.positions, seamsOf(original, input, textures)};
-  if (original.keepsJoints) surface.held = atJoints(original);
-  KeptAttributes attributes = attributesAsLengths(original, input);
-  KeptAttributes* kept = keepsLook && attributes.itemSize > 0 ? &attributes : nullptr;
+  Beginning begin(original, input, rule.textures);
+  if (now < positions) return {};
+  if (now == positions && !begin.keepsLook && !rule.mayBeOriginal) return {};
+  SimpleSurface& surface = begin.surface;
+  KeptAttributes* const kept = begin.kept();
   // A collapse takes one position at most, and none if other vertices share it.
   do {
     const std::size_t before = surface.mesh.vertexCount();
     simplify(surface, before - (now - positions), kept);
-    if (now > positions && surface.mesh.vertexCount() == before) return {};
+    const bool isStuck = now > positions && surface.mesh.vertexCount() == before;
+    if (isStuck && rule.tooFew != TooFew::Raise) return {};
     now = distinctPositions(surface.mesh, surface.positions);
+    if (isStuck) break;
   } while (now > positions);
   Followed result = Extraction(surface, original, input, kept).run();
+  result.positions = now;
   result.away = awayFrom({surface.mesh, surface.positions}, original.mesh, original.positions);
   return result;
 }

@@ -29,6 +29,7 @@ struct Away {
 struct Followed {
   TriangleMesh mesh;
   std::vector<InputPlace> places;  // per corner of its triangles
+  std::size_t positions = 0;       // distinct ones, of those that simplification has left
   Away away;                       // the original from the mesh
 };
 
@@ -43,11 +44,21 @@ bool hasLines(const TriangleMesh& mesh);
 // If the caller prefers shape, `follow` is tried without this test.
 bool isWorthFollowing(const BuiltMesh& original, std::size_t positions);
 
-// A mesh with exactly so many distinct positions. None if the original has fewer (with baked
-// textures: no more), or if no further vertex can go. textures: whether attributes are kept, so
-// that vertices stay where they are, or baked anew.
+struct FollowRule {
+  Textures textures;           // kept, so that vertices stay where they are, or baked anew
+  bool mayBeOriginal = false;  // if nothing is to go and textures are baked: the original, or none
+  TooFew tooFew = TooFew::Refuse;  // if no further vertex can go: none, or the mesh by then
+};
+
+// A mesh with exactly so many distinct positions. None if the original has fewer.
 std::optional<Followed> follow(const BuiltMesh& original, const TriangleMesh& input,
-                               std::size_t positions, Textures textures);
+                               std::size_t positions, const FollowRule& rule);
+
+// For each position that follow() can take from the original, in about its order: how much the
+// shape has changed by then, as collapseCosts() says. Where vertices share a position, it takes
+// both.
+std::vector<double> followCosts(const BuiltMesh& original, const TriangleMesh& input,
+                                Textures textures);
 
 // The points at which a surface is sampled: about so many of its triangles, at even steps, and so
 // many points of each, at most 4.

@@ -224,7 +224,12 @@ class SurfaceCandidates {
   }
 
   bool isSimplified() {
-    if (!simplified_) simplified_ = follow(plan_.built, input_, vertices_, options_.textures);
+    // Where the shape is asked for, no other candidate is nearer or has fewer vertices.
+    const bool isAsked = options_.prefer == Prefer::Shape;
+    if (!simplified_)
+      simplified_ =
+          follow(plan_.built, input_, vertices_,
+                 {options_.textures, isAsked, isAsked ? options_.tooFew : TooFew::Refuse});
     return simplified_->has_value();
   }
 
@@ -263,9 +268,11 @@ class SurfaceCandidates {
     if (candidate == Candidate::Bounded) return bounded().outcome(Prefer::Shape, progress_);
     if (candidate == Candidate::Isotropic) return isotropic().outcome(Prefer::Even, progress_);
     const bool conforms = candidate == Candidate::Conforming;
-    if (!isotropic_)
-      return outcomeOf(std::move(conforms ? **conformed_ : **simplified_), vertices_,
-                       std::move(plan_.warnings));
+    if (!isotropic_) {
+      Followed& made = conforms ? **conformed_ : **simplified_;
+      const std::size_t vertices = conforms ? vertices_ : made.positions;
+      return outcomeOf(std::move(made), vertices, std::move(plan_.warnings));
+    }
     const Prepared& original = isotropic().original();
     ShapeComparison& comparison = isotropic().comparison();
     return outcomeOf(conforms ? comparison.takeConforming() : comparison.takeSimplified(),

@@ -98,7 +98,7 @@ std::optional<Followed> divided(Followed followed, std::size_t places, std::size
     if (countPlaces(followed.mesh.positions) != places || hasLines(followed.mesh)) return {};
     if (!flips) return followed;
     std::optional<Followed> widened =
-        follow(buildMesh(followed.mesh), followed.mesh, places, *flips);
+        follow(buildMesh(followed.mesh), followed.mesh, places, {*flips});
     if (!widened || hasLines(widened->mesh)) return {};
     followed = std::move(*widened);
   }
@@ -217,7 +217,7 @@ std::optional<Followed>& ShapeComparison::simplified() {
   const bool isNearOwn = double(vertices) <= kMostDivided * double(own) && isPart();
   if (!isWorthFollowing(built, vertices) || (more > 0 && !isOwn() && !isNearOwn))
     return simplified_;
-  simplified_ = follow(built, input_, vertices - more, textures_);
+  simplified_ = follow(built, input_, vertices - more, {textures_});
   if (!simplified_ || more == 0) return simplified_;
   simplified_ = bestDivided(*simplified_, own, vertices, textures_);
   // They lie in triangles of the mesh before its edges were divided. Nothing is baked onto it.

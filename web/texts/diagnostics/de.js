@@ -43,6 +43,8 @@ export default {
     + 'nicht.',
   'chosen.only-repaired': 'Auf die geschriebenen Stellen gerundet, wäre die neue Fläche nicht '
     + 'heil: geschrieben ist die reparierte.',
+  'chosen.budget-simplified': 'Gleichmäßige Dreiecke wären mehr als erlaubt; vereinfachte sind es '
+    + 'nicht, oder um weniger.',
   'chosen.no-surface': 'Kein Dreieck hat eine Fläche: das Netz bleibt, wie es kam.',
   'chosen.kept': 'Nichts war zu reparieren: jeder Punkt und jedes Dreieck ist, wie es war.',
   'chosen.repaired': 'Die Reparatur hat die Fläche geändert.',

@@ -42,6 +42,8 @@ export default {
   'chosen.uncrossed-simplified': 'Les triangles réguliers se coupent ; les simplifiés, non.',
   'chosen.only-repaired': 'Arrondie aux chiffres écrits, la nouvelle surface ne serait pas '
     + 'saine : la surface réparée est écrite.',
+  'chosen.budget-simplified': 'Les triangles isotropes dépasseraient le budget ; les simplifiés, '
+    + 'non, ou de moins.',
   'chosen.no-surface': 'Aucun triangle n’a d’aire : le maillage reste tel qu’il est venu.',
   'chosen.kept': 'Il n’y avait rien à réparer : chaque sommet et chaque triangle reste tel '
     + 'quel.',

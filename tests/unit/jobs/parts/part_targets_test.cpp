@@ -118,6 +118,29 @@ TEST_CASE("part_targets: what charts need comes first, and by area all have at l
   CHECK(*PartTargets(parts, places, options).of(0).vertices < Index(need) / 4);
 }
 
+TEST_CASE("part_targets: where the shape is preferred, flat parts leave vertices to bent ones") {
+  RemeshOptions options;
+  options.prefer = Prefer::Shape;
+  options.vertices = 300;
+  const std::vector<std::size_t> vertices =
+      remeshed({partOf(shapes::grid(30, 30), 1), partOf(shapes::torus(24, 16), 1)}, options);
+  CHECK(sum(vertices) == 300);
+  CHECK(vertices[0] <= 8);
+}
+
+TEST_CASE("part_targets: where the shape is preferred, a part gets more the larger it is shown") {
+  const TriangleMesh torus = shapes::torus(24, 16);
+  RemeshOptions options;
+  options.prefer = Prefer::Shape;
+  options.vertices = 500;
+  const std::vector<std::size_t> alike = remeshed({partOf(torus, 2), partOf(torus, 2)}, options);
+  CHECK(sum(alike) == 500);
+  CHECK(std::abs(double(alike[0]) - double(alike[1])) <= 1);
+  const std::vector<std::size_t> unlike = remeshed({partOf(torus, 1), partOf(torus, 3)}, options);
+  CHECK(sum(unlike) == 500);
+  CHECK(unlike[1] > unlike[0] + 50);
+}
+
 TEST_CASE("part_targets: a number that is asked for and too small for the whole is refused") {
   RemeshOptions options;
   options.vertices = 3;

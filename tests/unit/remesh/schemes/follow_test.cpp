@@ -62,7 +62,7 @@ TEST_CASE("follow: exactly as many places as asked for, or nothing") {
   const TriangleMesh input = pleats();
   const BuiltMesh built = buildMesh(input);
   for (const std::size_t count : {1000, 500, 150}) {
-    const std::optional<Followed> followed = follow(built, input, count, Textures::Bake);
+    const std::optional<Followed> followed = follow(built, input, count, {Textures::Bake});
     REQUIRE(followed);
     CHECK(inspectMesh(followed->mesh).vertices == count);
     CHECK(followed->places.size() == followed->mesh.indices.size());
@@ -70,11 +70,27 @@ TEST_CASE("follow: exactly as many places as asked for, or nothing") {
   CHECK(!isWorthFollowing(built, 4));
   // Nothing is left out of what has just so many, and nothing is made of fewer.
   const std::optional<Followed> whole =
-      follow(built, input, built.mesh.vertexCount(), Textures::Keep);
+      follow(built, input, built.mesh.vertexCount(), {Textures::Keep});
   REQUIRE(whole);
   CHECK(whole->away.rms < 1e-12);
-  CHECK(!follow(built, input, built.mesh.vertexCount(), Textures::Bake));
-  CHECK(!follow(built, input, built.mesh.vertexCount() + 1, Textures::Bake));
+  CHECK(!follow(built, input, built.mesh.vertexCount(), {Textures::Bake}));
+  CHECK(!follow(built, input, built.mesh.vertexCount() + 1, {Textures::Bake}));
+  CHECK(follow(built, input, built.mesh.vertexCount(), {Textures::Bake, true}));
+}
+
+TEST_CASE("follow: its costs ascend, one for each place that it can take, and the rest is left") {
+  const TriangleMesh input = pleats();
+  const BuiltMesh built = buildMesh(input);
+  const std::vector<double> costs = followCosts(built, input, Textures::Bake);
+  CHECK(std::is_sorted(costs.begin(), costs.end()));
+  const std::size_t left = built.mesh.vertexCount() - costs.size();
+  CHECK(left >= 3);
+  CHECK(!follow(built, input, 1, {Textures::Bake}));
+  const std::optional<Followed> fewest =
+      follow(built, input, 1, {Textures::Bake, false, TooFew::Raise});
+  REQUIRE(fewest);
+  CHECK(fewest->positions == inspectMesh(fewest->mesh).vertices);
+  CHECK(fewest->positions <= left);
 }
 
 TEST_CASE("follow: where attributes are kept, vertices are the original's, and so are theirs") {
@@ -83,7 +99,7 @@ TEST_CASE("follow: where attributes are kept, vertices are the original's, and s
   for (const Vec3& p : input.positions)
     uv.values.insert(uv.values.end(), {float(p.x()), float(p.y())});
   input.attributes.push_back(uv);
-  const std::optional<Followed> followed = follow(buildMesh(input), input, 200, Textures::Keep);
+  const std::optional<Followed> followed = follow(buildMesh(input), input, 200, {Textures::Keep});
   REQUIRE(followed);
   const TriangleMesh& result = followed->mesh;
   CHECK(inspectMesh(result).vertices == 200);
@@ -112,7 +128,7 @@ TEST_CASE("follow: fewer vertices than places where seams meet, and no triangle 
     }
   }
   input.attributes.push_back(uv);
-  const std::optional<Followed> followed = follow(buildMesh(input), input, 150, Textures::Keep);
+  const std::optional<Followed> followed = follow(buildMesh(input), input, 150, {Textures::Keep});
   REQUIRE(followed);
   const TriangleMesh& result = followed->mesh;
   CHECK(inspectMesh(result).vertices == 150);
@@ -133,7 +149,7 @@ TEST_CASE("follow: every triangle keeps its group, and corners know a place of t
   input.attributes.push_back(places);
   for (Index t = 0; t < input.triangleCount(); ++t)
     input.groups.push_back(input.positions[input.indices[3 * t]].x() < 11.5 ? 0 : 1);
-  const std::optional<Followed> followed = follow(buildMesh(input), input, 60, Textures::Bake);
+  const std::optional<Followed> followed = follow(buildMesh(input), input, 60, {Textures::Bake});
   REQUIRE(followed);
   CHECK(inspectMesh(followed->mesh).vertices == 60);
   CHECK(followed->mesh.groups.size() == followed->mesh.triangleCount());
