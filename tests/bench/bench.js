@@ -4,6 +4,7 @@
 //   npm run bench -- table1 FOLDER [--markdown FILE]                           the report's Table 1
 //   npm run bench -- ablation --models FOLDER [--without STEP]… [case…]   steps left out
 //   npm run bench -- fires --models FOLDER [FOLDER…]    how often each fallback fires
+//   npm run bench -- assets [FOLDER…]   textured models through the preset, beside meshoptimizer's
 //   npm run bench -- bake FOLDER [--markdown FILE]      textures: kept, baked, and meshoptimizer's
 //   npm run bench -- scale [--markdown FILE]                                   a large model
 //   npm run bench -- large [case…]     millions of triangles, beside meshoptimizer; takes minutes
@@ -22,6 +23,7 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { parseArgs } from 'node:util';
 
 import { runAblation } from './ablation.js';
+import { runAssets } from './assets.js';
 import { runBake } from './bake.js';
 import { runCases } from './cases.js';
 import { runFires } from './fires.js';
@@ -59,6 +61,7 @@ function run() {
     case 'ablation':
       return runAblation(limits.cases,
         { folder: values.models, names: rest, steps: values.without });
+    case 'assets': return runAssets([values.models ?? [], rest].flat());
     case 'fires': return runFires([values.models ?? [], rest].flat());
     case 'table1': return runTable1(limits.table1, rest[0] ?? values.models);
     case 'bake': return runBake(limits.bake, rest[0] ?? values.models);

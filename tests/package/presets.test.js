@@ -9,6 +9,8 @@ import { checkOptions, optionTable, presets } from 'remesher/options';
 import { parseCommandLine } from '../../dist/cli/cli_arguments.js';
 import { reportInWords } from '../../dist/cli/report_in_words.js';
 import { rejectsWith } from '../support/errors.js';
+import { GltfMaker } from '../support/gltf.js';
+import { png } from '../support/png.js';
 import { offText, sheet, torus } from '../support/shapes.js';
 
 const names = optionTable.map(({ name }) => name);
@@ -29,7 +31,7 @@ test('an option given beside a preset overrides it', () => {
     for (const [option, value] of Object.entries(values)) {
       const row = optionTable.find((one) => one.name === option);
       const other = row.choices?.find((choice) => choice !== value)
-        ?? (typeof value === 'boolean' ? !value : value * 0.9);
+        ?? (typeof value === 'boolean' ? !value : row.word === value ? 1 : value * 0.9);
       const checked = checkOptions({ preset: name, [option]: other });
       assert.equal(checked[option], other);
       assert.ok(!(option in checked.preset));
@@ -40,10 +42,11 @@ test('an option given beside a preset overrides it', () => {
 test('what contradicts an option of a preset overrides it, and the others stay', () => {
   for (const given of [{ quads: true }, { maxError: 0.1 }, { boundary: 'keep' }]) {
     const { preset: stood } = checkOptions({ preset: 'asset', ...given });
-    assert.deepEqual(stood, { repair: 'auto', textures: 'bake', textureFormat: 'webp' });
+    assert.deepEqual(stood,
+      { repair: 'auto', dropBelow: 'auto', textures: 'bake', textureFormat: 'webp' });
   }
   const kept = checkOptions({ preset: 'asset', textures: 'keep' });
-  assert.deepEqual(kept.preset, { repair: 'auto', prefer: 'shape' });
+  assert.deepEqual(kept.preset, { repair: 'auto', dropBelow: 'auto', prefer: 'shape' });
   assert.equal(checkOptions({ preset: 'print', holesUpTo: 5 }).repair, 'auto');
   assert.equal(checkOptions({ preset: 'print', prefer: 'shape' }).maxError, undefined);
 });
@@ -65,10 +68,38 @@ test('nothing is baked where there is nothing to bake from, or no file that woul
   async () => {
     const bytes = new TextEncoder().encode(offText(sheet(8)));
     const asked = { name: 'sheet.off', preset: 'asset', vertices: 60, quality: 'draft' };
-    const bare = { repair: 'auto', prefer: 'shape' };
+    const bare = { repair: 'auto', dropBelow: 'auto', prefer: 'shape' };
     assert.deepEqual((await remeshFile(bytes, { ...asked, output: 'glb' })).report.preset, bare);
     assert.deepEqual((await remesh(ring, { preset: 'asset', vertices: 99 })).report.preset, bare);
   });
+
+test('a model within the budget keeps its textures and triangles, and so do leaves', async () => {
+  const maker = (alphaMode, count) => {
+    const made = new GltfMaker();
+    const { positions, indices } = ring;
+    const texcoords = Float32Array.from({ length: positions.length / 3 * 2 }, (_, i) => i % 7 / 7);
+    Object.assign(made.tree, {
+      images: [{ bufferView: made.addView(png(4, 4, (x, y) => [60 * x, 60 * y, 9])),
+        mimeType: 'image/png' }],
+      textures: [{ source: 0 }],
+      materials: Array.from({ length: count }, () =>
+        ({ alphaMode, pbrMetallicRoughness: { baseColorTexture: { index: 0 } } })),
+    });
+    return made.show(Array.from({ length: count }, (_, material) => ({
+      attributes: { POSITION: made.add(Float32Array.from(positions, (x) => x + 9 * material), 'VEC3'),
+        TEXCOORD_0: made.add(texcoords, 'VEC2') },
+      indices: made.addIndices(indices), material,
+    }))).glb().bytes;
+  };
+  const stoodFor = (bytes, faces) => remeshFile(bytes,
+    { name: 'ring.glb', preset: 'asset', faces, textureSize: 64 });
+  const within = await stoodFor(maker('OPAQUE', 1), 5000);
+  assert.equal(within.report.preset.textures, undefined);
+  assert.equal(within.report.output.triangles, ring.indices.length / 3);
+  assert.equal((await stoodFor(maker('MASK', 1), 300)).report.preset.textures, undefined);
+  assert.equal((await stoodFor(maker('OPAQUE', 1), 300)).report.preset.textures, 'bake');
+  assert.equal((await stoodFor(maker('OPAQUE', 2), 5000)).report.preset.textures, 'bake');
+});
 
 test('an unknown preset is refused, and the command line takes one', async () => {
   await rejectsWith(remesh(ring, { preset: 'game' }), 'INVALID_OPTION');

@@ -26,16 +26,18 @@ function chunk(type, data) {
   return Buffer.concat([word(data.length), body, word(crc(body))]);
 }
 
-/** @param {(x: number, y: number) => number[]} colour red, green, blue from 0 to 255 */
+/** @param {(x: number, y: number) => number[]} colour red, green, blue from 0 to 255, and alpha or
+ * none */
 export function png(width, height, colour) {
-  const row = 1 + 3 * width;
+  const channels = colour(0, 0).length;
+  const row = 1 + channels * width;
   const rows = Buffer.alloc(row * height);
   for (let y = 0; y < height; y += 1) {
-    for (let x = 0; x < width; x += 1) rows.set(colour(x, y), row * y + 1 + 3 * x);
+    for (let x = 0; x < width; x += 1) rows.set(colour(x, y), row * y + 1 + channels * x);
   }
   return new Uint8Array(Buffer.concat([
     Buffer.from([0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a]),
-    chunk('IHDR', Buffer.from([...word(width), ...word(height), 8, 2, 0, 0, 0])),
+    chunk('IHDR', Buffer.from([...word(width), ...word(height), 8, channels === 4 ? 6 : 2, 0, 0, 0])),
     chunk('IDAT', deflateSync(rows)),
     chunk('IEND', Buffer.alloc(0)),
   ]));

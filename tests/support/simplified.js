@@ -25,7 +25,7 @@ function simplifyPrimitive(primitive, ratio) {
   const positions = Float32Array.from(
     Array.from({ length: count }, (_, i) => places.getElement(i, [])).flat());
   const indices = Uint32Array.from(primitive.getIndices().getArray());
-  const target = 3 * Math.round((ratio * indices.length) / 3);
+  const target = 3 * Math.round((Math.min(ratio, 1) * indices.length) / 3);
   const { values, weights: of } = attributesOf(primitive, count);
   const [result] = of.length > 0
     ? MeshoptSimplifier.simplifyWithAttributes(indices, positions, 3, values, of.length, of, null,

@@ -67,14 +67,16 @@ function targetOf(purpose, amount, { diagonal, unit }) {
   }
 }
 
+const ofRepair = ['repair', 'dropBelow'];
+
 /** The options of a purpose besides its number: those of the package's preset. New textures are
- * painted only where the old ones lie in many pieces. A lighter model keeps its openings: to repair
- * it is a purpose of its own, and may cost looks.
+ * painted only where the old ones lie in many pieces. A lighter model keeps its openings and all its
+ * pieces: to repair it is a purpose of its own, and may cost looks.
  * @param {Purpose} purpose @param {Subject} subject @returns {Values} */
 function optionsOf(purpose, { isBaked }) {
   const values = Object.entries(presets.find(({ name }) => name === purpose)?.values ?? {});
   return Object.fromEntries(values.filter(([name]) =>
-    (name.startsWith('texture') ? isBaked : name !== 'repair' || purpose !== 'asset')));
+    (name.startsWith('texture') ? isBaked : purpose !== 'asset' || !ofRepair.includes(name))));
 }
 
 /** All options of a purpose. For printing the model is only repaired, unless that is asked for.

@@ -69,7 +69,8 @@ export const optionTable = [
       + 'triangles within 0.05 % of the diagonal need them, or as few as keep --max-error' },
   { name: 'faces', flag: '--faces N', alias: '--triangles', type: 'integer', min: 1, max: 2 ** 31,
     excludes: { others: { ratio: true, edgeLength: true }, why: 'each sets the number' },
-    help: 'at most so many triangles, or quads with --quads, as near as the surface allows' },
+    help: 'at most so many triangles, or quads with --quads, as near as the surface allows; with '
+      + '--prefer shape no more than the input has' },
   { name: 'ratio', flag: '--ratio R', type: 'number', above: 0,
     excludes: { others: { edgeLength: true }, why: 'each sets the number' },
     help: 'the number of vertices as a share of the input’s' },

@@ -15,9 +15,11 @@
 
 /** The table of presets. @type {readonly Preset[]} */
 export const presets = [
-  { name: 'asset', help: 'a generated or scanned model for a scene, a game or AR: repaired where '
-    + 'it is broken, vertices where shape and looks need them, new textures in one set',
-  values: { repair: 'auto', prefer: 'shape', textures: 'bake', textureFormat: 'webp' } },
+  { name: 'asset', help: 'a generated or scanned model for a scene, a game or AR: without '
+    + 'floaters, repaired where it is broken, vertices where shape and looks need them, new textures '
+    + 'in one set',
+  values: { repair: 'auto', dropBelow: 'auto', prefer: 'shape', textures: 'bake',
+    textureFormat: 'webp' } },
   { name: 'print', help: 'a closed body for printing, within 0.2 % of the diagonal',
     values: { adaptivity: 0.7, maxError: 0.2, repair: 'auto' } },
   { name: 'simulation', help: 'a closed surface of triangles whose sizes change slowly, without '

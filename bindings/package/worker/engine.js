@@ -206,10 +206,15 @@ const namesGltf = (/** @type {string} */ name) => /\.gl(b|tf)$/i.test(name);
 const canBake = (job) => job.kind === 'remeshFile' && namesGltf(job.file.output)
   && (isGltf(job.file.bytes) || job.file.resources.some(({ name }) => /\.mtl$/i.test(name)));
 
-/** The job without the baking that a preset stands for, if nothing can be baked.
- * @param {Job} job @returns {Job} */
-function withPresetSettled(job) {
-  if (!('options' in job) || !job.options.preset || canBake(job)) return job;
+/** The job without the baking that a preset stands for, if nothing can be baked or new textures
+ * would be worse than the model's own. @param {Job} job @returns {Promise<Job>} */
+async function withPresetSettled(job) {
+  if (!('options' in job) || !job.options.preset) return job;
+  if (canBake(job)) {
+    const { bytes } = /** @type {FileJob} */ (job).file;
+    const { isWorthBaking } = await import('../textures/worth_baking.js');
+    if (!isGltf(bytes) || isWorthBaking(bytes, job.options.faces)) return job;
+  }
   return { ...job, options: withoutPresetBaking(job.options) };
 }
 
@@ -315,7 +320,7 @@ export class Engine {
    */
   async run(job, onProgress) {
     if (compressionOf(job)) await requireFile(job);
-    const settled = withPresetSettled(await plain(job));
+    const settled = await withPresetSettled(await plain(job));
     const outcome = withUnitSaid(settled, withPresetSaid(settled,
       await this.#painted(withLengthsSettled(settled), onProgress)));
     if (!outcome.files) return withTexturesListed(outcome, settled);
