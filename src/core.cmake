@@ -61,6 +61,7 @@ set(linear
   src/remesh/gate/excess.cpp
   src/repair/solid/clean_up.cpp
   src/simplify/attribute_quadrics.cpp
+  src/simplify/boundary_places.cpp
   src/simplify/simplify.cpp
   src/simplify/thin_out.cpp
   src/textures/painting/cage_finder.cpp

@@ -225,6 +225,7 @@ add_executable(unit_tests
   tests/unit/repair/solid/solid_test.cpp
   tests/unit/repair/solid/thin_walls_test.cpp
   tests/unit/repair/stitch_test.cpp
+  tests/unit/simplify/boundary_places_test.cpp
   tests/unit/simplify/divide_test.cpp
   tests/unit/simplify/simplify_test.cpp
   tests/unit/simplify/thin_out_test.cpp

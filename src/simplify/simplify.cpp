@@ -28,6 +28,9 @@ constexpr double kUnseenSideways = 1e-10;
 // The weights of edges, times their squared length: of a border, to which the two sides of a seam
 // add up, and of either side of a sharp edge within the surface.
 constexpr double kBorder = 2, kCrease = 0.2;
+// The weight of a border whose vertices slide along it: its chords are all on one side, and so
+// farther away than those of vertices that are free.
+constexpr double kSlidBorder = 6;
 const double kSharp = std::cos(radians(kFeatureAngle));  // between normals
 // The cosine of the largest angle by which a collapse may turn a triangle, if others go.
 constexpr double kTurned = 0.5;
@@ -36,8 +39,9 @@ struct Offer {
   double cost;  // the sum times √area: a large area shows errors more
   Halfedge halfedge;
   Vertex from, into;
-  Index stamp;  // the sum of both stamps
-  Vec3 place;   // of the vertex that remains
+  Index stamp;        // the sum of both stamps
+  Vec3 place;         // of the vertex that remains
+  double onLoop = 0;  // and where that is on a boundary
 
   // The cheapest comes out of the queue first.
   bool operator<(const Offer& other) const {
@@ -61,6 +65,7 @@ class Simplification {
     for (Index i = 0; i < mesh_.vertexCapacity(); ++i)
       if (mesh_.isAlive(Vertex(i))) center_ += surface.positions[Vertex(i)];
     center_ /= double(mesh_.vertexCount());
+    if (!kept && !surface.boundary) surface.boundary.emplace(mesh_, surface.positions);
     if (kept) attributes_.emplace(kept->itemSize, kept->values);
     for (Index i = 0; i < mesh_.faceCapacity(); ++i)
       if (mesh_.isAlive(Face(i))) addFace(Face(i));
@@ -139,7 +144,7 @@ class Simplification {
   // A border shows errors as much as the inside does: it counts as though the surface went on as
   // far as the border edge is long.
   void addBorder(Halfedge h, const Vec3& normal) {
-    addEdge(h, normal, kBorder);
+    addEdge(h, normal, attributes_ ? kBorder : kSlidBorder);
     const double beyond = (at(mesh_.tip(h)) - at(mesh_.origin(h))).squaredNorm();
     for (const Vertex v : {mesh_.origin(h), mesh_.tip(h)}) quadrics_[v].area += beyond;
   }
@@ -182,6 +187,11 @@ class Simplification {
         offered.cost += attributes_->cost(going, staying, at(into));
       for (const Index wedge : wedgesBeside(h))
         offered.cost += attributes_->cost(wedge, wedge, at(into));
+    } else if (freedom_[from] == freedom_[into] && mesh_.isBoundary(h)) {
+      const BoundaryPlaces::Place best = surface_.boundary->best(sum, center_, from, into);
+      offered.cost = sum.at(best.position - center_);
+      offered.place = best.position;
+      offered.onLoop = best.at;
     } else if (freedom_[from] == freedom_[into]) {
       const Vec3 best = sum.square.ldlt().solve(-sum.linear);
       if (sum.at(best) < offered.cost) {
@@ -269,8 +279,11 @@ class Simplification {
         if (mesh_.twin(edge)) surface_.seams[mesh_.twin(edge)] = seam;
     }
     if (attributes_) mergeWedges(h);
+    const bool slides =
+        !attributes_ && mesh_.isBoundary(h) && freedom_[offered.into] == Freedom::Seam;
     const Vertex into = EulerOperators(surface_.mesh).collapse(h);
     surface_.positions[into] = offered.place;
+    if (slides) surface_.boundary->move(into, offered.onLoop);
     quadrics_[into].add(gone);
     if (freedom_[offered.from] == Freedom::Fixed) freedom_[into] = Freedom::Fixed;
     ++stamps_[into];

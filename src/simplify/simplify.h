@@ -3,9 +3,11 @@
 // would be larger than the original's details.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "mesh/halfedge_mesh.h"
+#include "simplify/boundary_places.h"
 
 namespace remesher {
 
@@ -15,6 +17,8 @@ struct SimpleSurface {
   // Of both halfedges. Without attributes, triangles between seams must remain.
   HalfedgeData<char> seams;
   VertexData<char> held = {};  // vertices that neither move nor go; empty: none
+  // Of the surface that was given first; set where vertices move.
+  std::optional<BoundaryPlaces> boundary = {};
 };
 
 // Attributes that vertices keep, scaled to lengths: an attribute error of 1 is seen as much as a
@@ -27,11 +31,12 @@ struct KeptAttributes {
 
 // Collapses vertices into their neighbours until no more than `vertices` are left or nothing more
 // goes. The neighbour moves to the minimum of the squared distances from the planes of all
-// triangles merged into it, and from sharp edges and borders [Garland & Heckbert 1997]. Boundaries
-// and seams are only shortened along themselves; vertices where seams meet stay. With attributes no
-// vertex moves, and collapses that change attributes more come later [Hoppe 1999]; edges across
-// which attributes jump must be seams. Vertices where seams meet go too then, along a seam: corners
-// of charts on neither side of it keep their wedge, now at the place of another vertex.
+// triangles merged into it, and from sharp edges and borders [Garland & Heckbert 1997]; of a
+// boundary, along the boundary loop that was given first. Boundaries and seams are only shortened
+// along themselves; vertices where seams meet stay. With attributes no vertex moves, and collapses
+// that change attributes more come later [Hoppe 1999]; edges across which attributes jump must be
+// seams. Vertices where seams meet go too then, along a seam: corners of charts on neither side of
+// it keep their wedge, now at the place of another vertex.
 void simplify(SimpleSurface& surface, std::size_t vertices, KeptAttributes* kept = nullptr);
 
 // The costs of the collapses that simplify() does until nothing more goes, none below the one
