@@ -237,9 +237,11 @@ set(small
   src/remesh/accuracy/uncross.cpp
   src/remesh/conforming/conforming.cpp
   src/remesh/conforming/faceted_mesh.cpp
+  src/remesh/conforming/faceted_places.cpp
   src/remesh/conforming/line_corners.cpp
   src/remesh/conforming/refinement.cpp
   src/remesh/conforming/thinning.cpp
+  src/remesh/conforming/unrolled.cpp
   src/remesh/gate/crossing_guard.cpp
   src/remesh/gate/nearness.cpp
   src/remesh/ground/stand_in.cpp

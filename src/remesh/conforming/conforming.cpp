@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "remesh/conforming/conforming.h"
 
+#include <utility>
 #include <vector>
 
 #include "base/place.h"
@@ -19,13 +20,46 @@ std::size_t placesOf(const FacetedMesh& mesh) {
   return countPlaces(places);
 }
 
+// Whether no edge through unrolled facets is farther from them than it may be.
+bool isNear(const FacetedMesh& mesh) {
+  const HalfedgeMesh& m = mesh.mesh();
+  for (Index i = 0; i < m.halfedgeCapacity(); ++i) {
+    const Halfedge h(i);
+    if (!m.isEdge(h) || mesh.isLine(h)) continue;
+    if (mesh.isDeep(m.origin(h), m.tip(h), mesh.facet(m.face(h)))) return false;
+  }
+  return true;
+}
+
+// Edges through unrolled facets are chords: all on one side of the original. Vertices inside move
+// to the other side by as much as the chords are away on average, so that the volume stays and the
+// largest distance becomes smaller.
+void balance(FacetedMesh& mesh) {
+  const HalfedgeMesh& m = mesh.mesh();
+  std::vector<std::pair<Vertex, Vec3>> ways;
+  for (Index i = 0; i < m.vertexCapacity(); ++i) {
+    const Vertex v(i);
+    if (!m.isAlive(v) || mesh.role(v) != FacetRole::Free) continue;
+    const Index facet = mesh.facet(m.face(m.outgoing(v)));
+    if (!mesh.isBent(facet)) continue;
+    Vec3 sum = Vec3::Zero();
+    int chords = 0;
+    m.forEachNeighbor(v, [&](Vertex w) {
+      sum += mesh.halfway(v, w, facet) - 0.5 * (mesh.positions()[v] + mesh.positions()[w]);
+      ++chords;
+    });
+    ways.emplace_back(v, sum / chords);
+  }
+  for (const auto& [v, way] : ways) mesh.lift(v, way);
+}
+
 }  // namespace
 
 std::unique_ptr<FacetedMesh> makeConforming(const BuiltMesh& original,
-                                            const HalfedgeData<char>& seams,
-                                            std::size_t positions) {
-  auto mesh = std::make_unique<FacetedMesh>(original, seams);
-  if (mesh->hasOpenSeam()) return nullptr;
+                                            const HalfedgeData<char>& seams, std::size_t positions,
+                                            double depth) {
+  auto mesh = std::make_unique<FacetedMesh>(original, seams, depth);
+  if (mesh->hasOpenSeam() || (depth > 0 && !mesh->hasBent())) return nullptr;
   thinOut(*mesh);
   // Vertices of sheets that coincide may come to lie in one place.
   constexpr int kMostRounds = 4;
@@ -34,7 +68,10 @@ std::unique_ptr<FacetedMesh> makeConforming(const BuiltMesh& original,
     if (now > positions || !refineFacets(*mesh, positions - now)) return nullptr;
     if (!mesh->isSound()) return nullptr;
     smoothFacets(*mesh);
-    if (placesOf(*mesh) == positions) return mesh;
+    if (placesOf(*mesh) != positions) continue;
+    if (!isNear(*mesh)) return nullptr;
+    balance(*mesh);
+    return mesh;
   }
   return nullptr;
 }

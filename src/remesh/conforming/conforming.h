@@ -14,6 +14,7 @@ namespace remesher {
 // facets need more, or where they cannot be meshed by themselves: at seams that end within a plane,
 // or where rounding turns triangles over.
 std::unique_ptr<FacetedMesh> makeConforming(const BuiltMesh& original,
-                                            const HalfedgeData<char>& seams, std::size_t positions);
+                                            const HalfedgeData<char>& seams, std::size_t positions,
+                                            double depth = 0);
 
 }  // namespace remesher

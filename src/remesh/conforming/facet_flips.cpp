@@ -12,15 +12,19 @@ std::vector<Halfedge> edgesOf(const HalfedgeMesh& mesh) {
   return edges;
 }
 
-bool wantsFacetFlip(const FacetedMesh& mesh, Halfedge h) {
+bool wantsFacetFlip(const FacetedMesh& mesh, Halfedge h, DeepEdges deep) {
   // A flip must be clearly better, so that rounding turns no edge to and fro.
   constexpr double kClearly = 1e-9;
   if (mesh.isLine(h)) return false;
   const HalfedgeMesh& m = mesh.mesh();
   const Index facet = mesh.facet(m.face(h));
   const auto at = [&](Vertex v) { return mesh.flat(v, facet); };
-  return sineOfOpposite(at(m.origin(h)), at(m.tip(h)), at(m.opposite(h)),
-                        at(m.opposite(m.twin(h)))) < -kClearly;
+  const Vertex a = m.origin(h), b = m.tip(h), c = m.opposite(h), d = m.opposite(m.twin(h));
+  if (deep == DeepEdges::Flipped && mesh.isBent(facet)) {
+    const bool isDeep = mesh.isDeep(a, b, facet), wouldBe = mesh.isDeep(c, d, facet);
+    if (isDeep != wouldBe) return isDeep;
+  }
+  return sineOfOpposite(at(a), at(b), at(c), at(d)) < -kClearly;
 }
 
 }  // namespace remesher

@@ -17,13 +17,15 @@ namespace remesher {
 
 namespace {
 
-// A point this near to a corner or an edge of its triangle, in weights, is on it.
-constexpr double kOnIt = 1e-12;
+// By how many times what is flat may be off the places of a vertex may differ that two facets
+// have, unrolled.
+constexpr double kUnrolledTolerance = 4;
 
 }  // namespace
 
-FacetedMesh::FacetedMesh(const BuiltMesh& original, const HalfedgeData<char>& seams)
+FacetedMesh::FacetedMesh(const BuiltMesh& original, const HalfedgeData<char>& seams, double depth)
     : original_(original),
+      depth_(depth),
       mesh_(original.mesh),
       positions_(original.positions),
       at_(mesh_.vertexCapacity()),
@@ -32,6 +34,7 @@ FacetedMesh::FacetedMesh(const BuiltMesh& original, const HalfedgeData<char>& se
       along_(mesh_.vertexCapacity()),
       line_(mesh_.halfedgeCapacity(), kNone) {
   setFacets(seams);
+  unroll(seams);
   setFrames();
   setRoles(seams);
 }
@@ -41,16 +44,15 @@ void FacetedMesh::setFacets(const HalfedgeData<char>& seams) {
   const FaceData<Index> planes = findFacets(mesh_, positions_, flatTolerance(mesh_, positions_));
   ownFacet_.assign(mesh_.faceCapacity(), kNone);
   std::vector<Face> stack;
+  Index facets = 0;
   for (Index i = 0; i < mesh_.faceCapacity(); ++i) {
     if (!mesh_.isAlive(Face(i)) || ownFacet_[Face(i)] != kNone) continue;
-    const Index facet = Index(faces_.size());
-    faces_.emplace_back();
+    const Index facet = facets++;
     ownFacet_[Face(i)] = facet;
     stack.push_back(Face(i));
     while (!stack.empty()) {
       const Face f = stack.back();
       stack.pop_back();
-      faces_.back().push_back(f);
       for (int k = 0; k < 3; ++k) {
         const Halfedge h = HalfedgeMesh::halfedge(f, k), t = mesh_.twin(h);
         if (!t || seams[h] || ownFacet_[mesh_.face(t)] != kNone) continue;
@@ -60,6 +62,21 @@ void FacetedMesh::setFacets(const HalfedgeData<char>& seams) {
       }
     }
   }
+}
+
+// The planes become regions of one or several, each with its faces.
+void FacetedMesh::unroll(const HalfedgeData<char>& seams) {
+  HalfedgeData<char> fixed = seams;
+  for (const Halfedge h : findJoints(original_)) {
+    fixed[h] = 1;
+    if (mesh_.twin(h)) fixed[mesh_.twin(h)] = 1;
+  }
+  const double tolerance = kUnrolledTolerance * flatTolerance(mesh_, positions_);
+  unrolled_ = unrollFacets(mesh_, positions_, ownFacet_, fixed, depth_, tolerance);
+  ownFacet_ = unrolled_.regionOf;
+  faces_.assign(unrolled_.isBent.size(), {});
+  for (Index i = 0; i < mesh_.faceCapacity(); ++i)
+    if (mesh_.isAlive(Face(i))) faces_[ownFacet_[Face(i)]].emplace_back(i);
   facet_ = ownFacet_;
 }
 
@@ -200,7 +217,7 @@ Vertex FacetedMesh::splitOff(Halfedge h) {
 Vertex FacetedMesh::divide(Face f, const Vec2& place) {
   const Index facet = facet_[f];
   const Place found = placeAt(place, facet, pointIn(mesh_.vertices(f)[0], facet).face);
-  const Vec2 p = frames_[facet].flat(found.position);
+  const Vec2 p = isBent(facet) ? flatOf(found.at, facet) : frames_[facet].flat(found.position);
   for (int k = 0; k < 3; ++k) {
     const Halfedge h = HalfedgeMesh::halfedge(f, k);
     // Not so either where the place is no number.
@@ -289,82 +306,6 @@ void FacetedMesh::slide(Vertex v, double arc) {
   along_[v].arc = arc;
   const FeatureCurves::Place place = curves_.locate(original_.mesh, original_.positions, along_[v]);
   put(v, FacetRole::OnLine, {place.at, place.position});
-}
-
-// The same point in a triangle of the facet that has the same corner or edge, if any has.
-std::optional<SurfacePoint> FacetedMesh::across(const SurfacePoint& point, Index facet) const {
-  const HalfedgeMesh& m = original_.mesh;
-  Eigen::Index largest = 0, least = 0;
-  if (point.barycentric.maxCoeff(&largest) >= 1 - kOnIt) {
-    std::optional<SurfacePoint> found;
-    m.forEachOutgoing(m.vertices(point.face)[std::size_t(largest)], [&](Halfedge h) {
-      if (!found && ownFacet_[m.face(h)] == facet)
-        found = {m.face(h), Vec3::Unit(Eigen::Index(h.index % 3))};
-    });
-    return found;
-  }
-  if (point.barycentric.minCoeff(&least) > kOnIt) return {};
-  const Halfedge h = HalfedgeMesh::halfedge(point.face, int((least + 1) % 3)), t = m.twin(h);
-  if (!t || ownFacet_[m.face(t)] != facet) return {};
-  SurfacePoint result{m.face(t), Vec3::Zero()};
-  result.barycentric[Eigen::Index(t.index % 3)] = point.barycentric[(least + 2) % 3];
-  result.barycentric[Eigen::Index(m.next(t).index % 3)] = point.barycentric[(least + 1) % 3];
-  return result;
-}
-
-// Of a place without numbers, beside a triangle that is hardly more than a line, a corner.
-SurfacePoint FacetedMesh::nearestIn(Index facet, const Vec3& p) const {
-  SurfacePoint best{faces_[facet].front(), Vec3::Unit(0)};
-  double least = kInfinity;
-  for (const Face f : faces_[facet]) {
-    const auto [a, b, c] = original_.mesh.vertices(f);
-    const auto& at = original_.positions;
-    const Vec3 weights = closestBarycentric(p, at[a], at[b], at[c]);
-    const Vec3 found = weights[0] * at[a] + weights[1] * at[b] + weights[2] * at[c];
-    const double squared = (found - p).squaredNorm();
-    if (squared < least) least = squared, best = {f, weights};
-  }
-  return best;
-}
-
-SurfacePoint FacetedMesh::pointIn(Vertex v, Index facet) const {
-  if (ownFacet_[at_[v].face] == facet) return at_[v];
-  const std::optional<SurfacePoint> found = across(at_[v], facet);
-  return found ? *found : nearestIn(facet, positions_[v]);
-}
-
-// Walks from triangle to triangle towards the place; where a walk ends at the rim of the facet, all
-// triangles are looked at.
-FacetedMesh::Place FacetedMesh::placeAt(const Vec2& place, Index facet, Face start) const {
-  const HalfedgeMesh& m = original_.mesh;
-  const auto at = [&](Vertex v) { return frames_[facet].flat(original_.positions[v]); };
-  Face f = start, end = start;
-  std::size_t steps = 0;
-  for (; f && steps <= faces_[facet].size(); ++steps) {
-    end = f;
-    Halfedge out;
-    for (std::size_t k = 0; k < 3 && !out; ++k) {
-      const Halfedge h = HalfedgeMesh::halfedge(f, int((k + steps) % 3));
-      if (orient2d(at(m.origin(h)), at(m.tip(h)), place) < 0) out = h;
-    }
-    if (!out) break;
-    const Halfedge t = m.twin(out);
-    f = t && ownFacet_[m.face(t)] == facet ? m.face(t) : Face();
-  }
-  const Vec3 p = frames_[facet].lifted(place);
-  SurfacePoint found;
-  if (f && steps <= faces_[facet].size()) {
-    const auto [a, b, c] = m.vertices(end);
-    found = {end, closestBarycentric(p, original_.positions[a], original_.positions[b],
-                                     original_.positions[c])};
-  } else {
-    found = nearestIn(facet, p);
-  }
-  // By differences, so that a coordinate that all three corners have stays as it is.
-  const auto [a, b, c] = m.vertices(found.face);
-  const Vec3& first = original_.positions[a];
-  return {found, first + found.barycentric[1] * (original_.positions[b] - first) +
-                     found.barycentric[2] * (original_.positions[c] - first)};
 }
 
 }  // namespace remesher

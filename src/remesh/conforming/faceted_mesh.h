@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A surface as the facets that it is made of, with a triangulation of its own: the edges between
 // facets stay where they are, and all vertices lie on the original. The triangles within a facet
-// may change, in its plane, as may the places of vertices along the straight edges.
+// may change, in its plane, as may the places of vertices along the straight edges. Facets that
+// bend little against each other may be unrolled, and are one facet then.
 #pragma once
 
 #include <optional>
@@ -11,6 +12,7 @@
 #include "mesh/euler_operators.h"
 #include "mesh/mesh_builder.h"
 #include "original/curves/feature_curves.h"
+#include "remesh/conforming/unrolled.h"
 
 namespace remesher {
 
@@ -20,8 +22,10 @@ enum class FacetRole : char { Free, OnLine, Corner };
 
 class FacetedMesh {
  public:
-  // seams: edges that stay edges, even within a plane. The original must outlive the object.
-  FacetedMesh(const BuiltMesh& original, const HalfedgeData<char>& seams);
+  // seams: edges that stay edges, even within a plane. depth: how far edges may be from the
+  // original where facets are unrolled, model units; with 0 none are. The original must outlive the
+  // object.
+  FacetedMesh(const BuiltMesh& original, const HalfedgeData<char>& seams, double depth = 0);
   FacetedMesh(const FacetedMesh&) = delete;
   FacetedMesh& operator=(const FacetedMesh&) = delete;
 
@@ -40,7 +44,18 @@ class FacetedMesh {
   bool isSound() const;
 
   // In the plane of a facet, lengths in model units.
-  Vec2 flat(Vertex v, Index facet) const { return frames_[facet].flat(positions_[v]); }
+  Vec2 flat(Vertex v, Index facet) const {
+    return isBent(facet) ? unrolled(v, facet) : frames_[facet].flat(positions_[v]);
+  }
+  // Whether facets were unrolled to this one.
+  bool isBent(Index facet) const { return unrolled_.isBent[facet]; }
+  bool hasBent() const;
+  // The point of the original halfway between two vertices of an unrolled facet.
+  Vec3 halfway(Vertex a, Vertex b, Index facet) const;
+  // Moves a vertex off the original, its place there stays the same.
+  void lift(Vertex v, const Vec3& way) { positions_[v] += way; }
+  // Whether an edge through the facet would be farther from it than it may be.
+  bool isDeep(Vertex a, Vertex b, Index facet) const;
   // 1 if the triangle is counterclockwise in the plane, as those of the original are.
   int turn(Vertex a, Vertex b, Vertex c, Index facet) const;
   int turn(Face f) const;
@@ -73,7 +88,6 @@ class FacetedMesh {
   struct Frame {
     Vec3 origin = Vec3::Zero(), u = Vec3::Zero(), v = Vec3::Zero();
     Vec2 flat(const Vec3& p) const { return {u.dot(p - origin), v.dot(p - origin)}; }
-    Vec3 lifted(const Vec2& p) const { return origin + p.x() * u + p.y() * v; }
   };
   struct Place {
     SurfacePoint at;
@@ -81,6 +95,7 @@ class FacetedMesh {
   };
 
   void setFacets(const HalfedgeData<char>& seams);
+  void unroll(const HalfedgeData<char>& seams);
   void setFrames();
   void setRoles(const HalfedgeData<char>& seams);
   void grow();
@@ -88,13 +103,21 @@ class FacetedMesh {
   bool staysTurned(Halfedge h) const;
   double arcOf(Vertex v, Index chain) const;
   std::optional<SurfacePoint> across(const SurfacePoint& point, Index facet) const;
-  SurfacePoint nearestIn(Index facet, const Vec3& p) const;
+  Vec2 unrolled(Vertex v, Index facet) const;
+  // Of a corner of a face of the original.
+  Vec2 ownFlat(Face f, int corner, Index facet) const;
+  Vec2 flatOf(const SurfacePoint& point, Index facet) const;
+  Vec3 weightsIn(Face f, const Vec2& place, Index facet) const;
+  // In space, or where it is flat.
+  SurfacePoint nearestIn(Index facet, const Vec3& place, bool isFlat) const;
   // The point of the original within the facet at `place`, looked for from a point of it.
   Place placeAt(const Vec2& place, Index facet, Face start) const;
   void put(Vertex v, FacetRole role, const Place& place);
 
   const BuiltMesh& original_;
+  double depth_;
   FaceData<Index> ownFacet_;  // per face of the original
+  Unrolled unrolled_;
   std::vector<Frame> frames_;
   std::vector<std::vector<Face>> faces_;  // of the original, by facet
   FeatureCurves curves_;                  // the lines between facets, straight each

@@ -18,6 +18,9 @@ namespace {
 // The shares of a line at which it may be split.
 constexpr std::array<double, 3> kShares = {0.5, 0.4, 0.6};
 
+// Triangles away from the original come before all others.
+constexpr double kDeepFirst = 1e9;
+
 struct FacetCorners {
   std::array<Vec2, 3> at;
 
@@ -38,7 +41,7 @@ class FacetRefinement {
   explicit FacetRefinement(FacetedMesh& mesh) : mesh_(mesh), m_(mesh.mesh()) {}
 
   bool run(std::size_t count) {
-    flipFacets(mesh_, edgesOf(m_), [](Face) {});
+    flipFacets(mesh_, edgesOf(m_), DeepEdges::Left, [](Face) {});
     for (Index i = 0; i < m_.faceCapacity(); ++i)
       if (m_.isAlive(Face(i))) enter(Face(i));
     while (count > 0 && !worst_.empty()) {
@@ -66,11 +69,18 @@ class FacetRefinement {
     std::size_t least = 0;
     for (std::size_t k = 1; k < 3; ++k)
       if (corners.length(k) < corners.length(least)) least = k;
+    if (isDeep(f)) return kDeepFirst * radius;
     const auto isLine = [&](std::size_t k) {
       return mesh_.isLine(HalfedgeMesh::halfedge(f, int(k % 3)));
     };
     if (isLine(least + 1) && isLine(least + 2)) return radius;
     return radius * radius / corners.length(least);
+  }
+
+  bool isDeep(Face f) const {
+    const auto [a, b, c] = m_.vertices(f);
+    const Index facet = mesh_.facet(f);
+    return mesh_.isDeep(a, b, facet) || mesh_.isDeep(b, c, facet) || mesh_.isDeep(c, a, facet);
   }
 
   void enter(Face f) {
@@ -86,7 +96,7 @@ class FacetRefinement {
       for (const Halfedge e : {h, m_.next(h), m_.prev(h)}) rim.push_back(e);
     });
     std::vector<Face> changed;
-    flipFacets(mesh_, std::move(rim), [&](Face f) { changed.push_back(f); });
+    flipFacets(mesh_, std::move(rim), DeepEdges::Left, [&](Face f) { changed.push_back(f); });
     m_.forEachOutgoing(v, [&](Halfedge h) { changed.push_back(m_.face(h)); });
     for (const Face f : changed) enter(f);
   }

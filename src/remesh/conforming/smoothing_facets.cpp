@@ -48,6 +48,7 @@ class StarSmoothing {
   StarSmoothing(FacetedMesh& mesh, Aim aim) : mesh_(mesh), m_(mesh.mesh()), aim_(aim) {}
 
   void smooth(Vertex v) {
+    isDeep_ = hasDeepSpoke(v);
     if (aim_ == Aim::Wide) keepAngles(v);
     mesh_.role(v) == FacetRole::Free ? smoothFree(v) : smoothOnLine(v);
   }
@@ -93,6 +94,18 @@ class StarSmoothing {
     });
   }
 
+  // Whether an edge to a neighbor is farther from the original than it may be. A move may not bring
+  // that about.
+  bool hasDeepSpoke(Vertex v) const {
+    bool isDeep = false;
+    m_.forEachOutgoing(v, [&](Halfedge h) {
+      const Index facet = mesh_.facet(m_.face(h));
+      isDeep =
+          isDeep || mesh_.isDeep(v, m_.tip(h), facet) || mesh_.isDeep(v, m_.opposite(h), facet);
+    });
+    return isDeep;
+  }
+
   void smoothFree(Vertex v) {
     gather(v);
     const Index facet = sides_[0].facet;
@@ -110,7 +123,9 @@ class StarSmoothing {
       }
       return best != from;
     });
-    if (best != start) mesh_.move(v, best, facet);
+    if (best == start) return;
+    mesh_.move(v, best, facet);
+    if (!isDeep_ && hasDeepSpoke(v)) mesh_.move(v, start, facet);
   }
 
   double lossOnLine(Vertex v) const {
@@ -139,12 +154,14 @@ class StarSmoothing {
       return best != start;
     });
     mesh_.slide(v, best);
+    if (!isDeep_ && hasDeepSpoke(v)) mesh_.slide(v, reach.at);
   }
 
   FacetedMesh& mesh_;
   const HalfedgeMesh& m_;
   const Aim aim_;
   double kept_ = 0;
+  bool isDeep_ = false;
   std::vector<Side> sides_;
 };
 
@@ -158,7 +175,7 @@ void smoothFacets(FacetedMesh& mesh) {
       for (Index i = 0; i < m.vertexCapacity(); ++i)
         if (m.isAlive(Vertex(i)) && mesh.role(Vertex(i)) != FacetRole::Corner)
           star.smooth(Vertex(i));
-      flipFacets(mesh, edgesOf(m), [](Face) {});
+      flipFacets(mesh, edgesOf(m), DeepEdges::Flipped, [](Face) {});
     }
   }
 }

@@ -53,6 +53,13 @@ constexpr std::array kRules = {
          Candidate::Simplified,
          "The number of vertices is too small for the corners of all curves."},
     Rule{Decision::Surface,
+         "facets-unrolled",
+         {is(Fact::FacetsBetter), is(Fact::FacetsUnrolled)},
+         Candidate::Conforming,
+         "Facets of round walls and fillets, too narrow for well-shaped triangles, were unrolled "
+         "and "
+         "meshed together: the triangles there are hardly seen to be away."},
+    Rule{Decision::Surface,
          "facets-conforming",
          {is(Fact::FacetsBetter)},
          Candidate::Conforming,

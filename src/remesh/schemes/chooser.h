@@ -32,7 +32,7 @@ enum class Candidate {
   Isotropic,   // isotropic triangles of the number asked for
   Bounded,     // isotropic triangles within a distance that is not seen, proven
   Simplified,  // the vertices of the original that its shape needs most, or its triangles divided
-  Conforming,  // triangles within the original's facets, on its shape exactly
+  Conforming,  // triangles within the original's facets, on its shape exactly, or unrolled
   Uncrossed,   // isotropic triangles, made again by steps that add no self-intersection
   Own,         // of the input's own vertices those that the shape needs
   MirroredQuads,
@@ -58,6 +58,7 @@ enum class Fact {
   NumberReached,        // by the isotropic triangles
   FacetsMeshed,         // facet by facet, with the number asked for
   FacetsBetter,         // the same, and isotropic triangles are seen to be away
+  FacetsUnrolled,       // several together, because they are narrow
   IsotropicInstead,     // the same, but poorly shaped, and isotropic triangles are hardly off
   UnfinishedFar,        // the unfinished isotropic triangles are hopelessly farther away
   UnfinishedNear,       // the unfinished isotropic triangles are nowhere seen to be away

@@ -8,9 +8,10 @@
 
 namespace remesher {
 
-// A mesh with exactly so many distinct positions, nowhere away from the original. None where that
+// A mesh with exactly so many distinct positions, nowhere away from the original, or at about
+// `depth` where it bends a little (model units). None where that
 // is impossible: see makeConforming.
 std::optional<Followed> conformed(const BuiltMesh& original, const TriangleMesh& input,
-                                  std::size_t positions, Textures textures);
+                                  std::size_t positions, Textures textures, double depth = 0);
 
 }  // namespace remesher

@@ -209,6 +209,7 @@ class SurfaceCandidates {
       return isotropic().isReached()
                  ? isotropic().comparison().isConformingBetter(isotropic().mesh())
                  : isotropic().comparison().hasConforming();
+    if (fact == Fact::FacetsUnrolled) return isotropic().comparison().isUnrolled();
     if (fact == Fact::IsotropicInstead)
       return isotropic().isReached() &&
              isotropic().comparison().isIsotropicInstead(isotropic().mesh());

@@ -40,6 +40,9 @@ constexpr double kEnoughVertices = 3;
 // least share of the sharp edges that is found again within kNearEdge.
 constexpr double kInsteadOfPoor = 2, kInsteadOfNeedles = 4;
 constexpr double kNeedlesMean = 30, kNeedlesLeast = 5;
+// Edges of unrolled facets may be farther away by this factor, because vertices move to the other
+// side. By how much wider, in degrees on average, angles must be that are not well shaped either.
+constexpr double kChord = 1.25, kMuchWider = 10;
 constexpr double kMostOfVolume = 1e-3, kMostOfEdges = 0.98, kNearEdge = 3;
 // By how much less, in degrees on average, the angles of a mesh of facets may be: its shape is
 // exact.
@@ -229,7 +232,37 @@ std::optional<Followed>& ShapeComparison::conforming() {
   if (std::exchange(isConforming_, true) || !isPart()) return conforming_;
   const BuiltMesh& built = original_.surface().built();
   conforming_ = conformed(built, input_, original_.places(), textures_);
+  if (conforming_ && hasForShape() && !qualityOf(conforming_->mesh).isGood(kGoodIsotropic))
+    unrollFacets();
   return conforming_;
+}
+
+// Facets too narrow for well-shaped triangles are unrolled: the less the triangles may be away from
+// the original by then, the better. If none are well shaped, much wider angles do.
+void ShapeComparison::unrollFacets() {
+  const AngleQuality facets = qualityOf(conforming_->mesh);
+  const double most = facets.hasNeedles() ? kInsteadOfNeedles : kInsteadOfPoor;
+  for (double farthest = 1; farthest <= most; farthest *= 2) {
+    const double depth = kChord * farthest * unseen_;
+    std::optional<Followed> made =
+        conformed(original_.surface().built(), input_, original_.places(), textures_, depth);
+    if (!made) continue;
+    const AngleQuality quality = qualityOf(made->mesh);
+    // Narrow angles between lines are the part's own.
+    if (quality.least < std::min(kGoodLeast, facets.least)) continue;
+    const bool isGood = quality.mean >= kGoodIsotropic;
+    if (!isGood && quality.mean < facets.mean + kMuchWider) continue;
+    conforming_ = std::move(made);
+    farthest_ = farthest;
+    if (isGood) return;
+  }
+}
+
+// Whether there are vertices enough to ask for well-shaped triangles.
+bool ShapeComparison::hasForShape() {
+  const BuiltMesh& built = original_.surface().built();
+  const auto own = double(distinctPositions(built.mesh, built.positions));
+  return double(original_.places()) >= kEnoughVertices * own;
 }
 
 bool ShapeComparison::hasConforming() { return conforming().has_value(); }
@@ -250,11 +283,10 @@ bool ShapeComparison::isIsotropicInstead(const WorkingMesh& isotropic) {
 }
 
 bool ShapeComparison::keepsPart(const WorkingMesh& isotropic) {
+  if (!hasForShape() || !conforming()) return false;
   const BuiltMesh& built = original_.surface().built();
-  const auto own = double(distinctPositions(built.mesh, built.positions));
-  if (double(original_.places()) < kEnoughVertices * own || !conforming()) return false;
   const AngleQuality facets = qualityOf(conforming()->mesh);
-  if (facets.isGood(kGoodFacets)) return false;
+  if (facets.isGood(kGoodFacets) && farthest_ <= kInsteadOfPoor) return false;
   const double most = facets.hasNeedles() ? kInsteadOfNeedles : kInsteadOfPoor;
   if (awayOf(isotropic).farthest > most * unseen_ || !qualityOf(isotropic).isGood(kGoodIsotropic))
     return false;

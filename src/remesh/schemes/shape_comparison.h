@@ -41,6 +41,8 @@ class ShapeComparison {
   // triangles, because these are seen to be away or hardly more even.
   bool isConformingBetter(const WorkingMesh& isotropic);
   bool hasConforming();
+  // Whether it has facets that were unrolled.
+  bool isUnrolled() const { return farthest_ > 0; }
   // Whether the triangles of the facets are poorly shaped, though there are vertices enough, and
   // finished isotropic triangles keep the part but for dents that are hardly seen.
   bool isIsotropicInstead(const WorkingMesh& isotropic);
@@ -56,6 +58,8 @@ class ShapeComparison {
 
   bool isOwn();
   bool hasEnough();
+  bool hasForShape();
+  void unrollFacets();
   bool isPart();
   bool isAllFacets() const;  // but for small round places
   // Whether a mesh of facets is worth making.
@@ -81,6 +85,7 @@ class ShapeComparison {
   std::optional<Followed> simplified_;
   bool isConforming_ = false;  // whether facets were tried
   std::optional<Followed> conforming_;
+  double farthest_ = 0;  // of unrolled facets, in units of kSeen
 };
 
 }  // namespace remesher

@@ -11,6 +11,9 @@ export default {
     + 'Dreiecke, die nirgends sichtbar abweichen.',
   'chosen.shape-asked': 'Die Form geht vor.',
   'chosen.corners-exceed-number': 'Es sind zu wenige Punkte für die Ecken aller Linien.',
+  'chosen.facets-unrolled': 'Die schmalen Flächen runder Wände und Rundungen hätten nur Platz für '
+    + 'spitze Dreiecke: Sie wurden abgewickelt und gemeinsam vernetzt, und die Dreiecke dort '
+    + 'weichen kaum sichtbar ab.',
   'chosen.facets-conforming': 'Jede ebene Fläche wurde für sich vernetzt, sodass die Form genau '
     + 'die des Originals ist; andere gleichmäßige Dreiecke würden sie ändern oder die Zahl der '
     + 'Punkte verfehlen.',

@@ -12,6 +12,9 @@ export default {
   'chosen.shape-asked': 'La forme est préférée.',
   'chosen.corners-exceed-number': 'Il y a trop peu de sommets pour les coins de toutes les '
     + 'lignes.',
+  'chosen.facets-unrolled': 'Les facettes étroites des parois rondes et des congés n’auraient eu '
+    + 'de place que pour des triangles pointus : déroulées, elles ont été maillées ensemble, et '
+    + 'l’écart s’y voit à peine.',
   'chosen.facets-conforming': 'Chaque facette a été maillée dans son plan, la forme est donc '
     + 'exactement celle de l’original ; d’autres triangles réguliers la changeraient ou '
     + 'manqueraient le nombre de sommets.',

@@ -198,3 +198,32 @@ TEST_CASE("conforming: a point of a vertex in a facet is the vertex, on that fac
     }
   }
 }
+
+TEST_CASE("conforming: unrolled facets get wide angles, and edges stay as near as asked") {
+  const struct Case {
+    TriangleMesh part;
+    double times, depth, mean;
+  } cases[] = {{shapes::drilledPlate(16, 2), 8, 0.005, 44},
+               {shapes::filletedBar(12), 14, 0.01, 42},
+               {shapes::filletedBar(24), 14, 0.006, 44}};
+  for (const Case& wanted : cases) {
+    CAPTURE(wanted.depth);
+    const BuiltMesh built = buildMesh(wanted.part);
+    const double vertices = wanted.times * double(built.mesh.vertexCount());
+    const HalfedgeData<char> seams(built.mesh.halfedgeCapacity(), 0);
+    const auto unrolled = makeConforming(built, seams, std::size_t(vertices), wanted.depth);
+    const auto facets = conforming(built, vertices);
+    REQUIRE(unrolled);
+    CHECK(check(unrolled->mesh()) == "");
+    CHECK(double(unrolled->mesh().vertexCount()) == std::floor(vertices));
+    checkSame(built, *unrolled, wanted.depth);
+    CHECK(anglesOf(*unrolled).mean > wanted.mean);
+    CHECK(anglesOf(*unrolled).mean > anglesOf(*facets).mean + 2);
+  }
+}
+
+TEST_CASE("conforming: without facets that bend little nothing is unrolled") {
+  const BuiltMesh built = buildMesh(shapes::boxWithHole());
+  const HalfedgeData<char> seams(built.mesh.halfedgeCapacity(), 0);
+  CHECK_FALSE(makeConforming(built, seams, 100, 0.1));
+}

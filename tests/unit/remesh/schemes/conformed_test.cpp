@@ -108,7 +108,7 @@ TEST_CASE("conformed: with enough vertices a thin wall of facets has no needle")
   CHECK(inspectMesh(made.mesh).minAngle.worst > 15);
 }
 
-TEST_CASE("conformed: poorly shaped facets give way to isotropic triangles that keep the part") {
+TEST_CASE("conformed: facets that would be poorly shaped are unrolled, and the part is kept") {
   const TriangleMesh flange =
       turnedAbout({{4, 0}, {20, 0}, {20, 5}, {10, 5}, {10, 25}, {4, 25}}, 72);
   const BuiltMesh built = buildMesh(flange);
@@ -117,15 +117,44 @@ TEST_CASE("conformed: poorly shaped facets give way to isotropic triangles that 
   };
   CHECK(ruleAt(2 * 432) == "facets-conforming");  // too few for well-shaped triangles
   const RemeshOutcome made = remeshed(flange, 4 * 432, Prefer::Auto);
-  CHECK(made.chosen.rule == "isotropic-instead");
+  CHECK(made.chosen.rule == "facets-unrolled");
   const MeshReport report = inspectMesh(made.mesh);
   CHECK(report.minAngle.mean > 45);
   CHECK(report.minAngle.worst > 12);
-  CHECK(error(flange, made.mesh) < 0.2);
+  CHECK(error(flange, made.mesh) < 0.11);
+  CHECK(selfIntersections(made.mesh).empty());
   const BuiltMesh result = buildMesh(made.mesh);
   const Surface original{built.mesh, built.positions}, other{result.mesh, result.positions};
-  CHECK(shareOfSharpEdges(original, other, 1.5e-3 * 47) > 0.98);
+  CHECK(shareOfSharpEdges(original, other, 1e-6 * 47) == 1);
   CHECK(std::abs(changeOfVolume(original, other)) < 1e-3);
+}
+
+TEST_CASE("conformed: round parts get well-shaped triangles, and nearer ones with more vertices") {
+  const TriangleMesh tube = turnedAbout({{8, 0}, {10, 0}, {10, 40}, {8, 40}}, 64);
+  const TriangleMesh bolt =
+      turnedAbout({{0, 0}, {4, 0}, {5, 1}, {5, 20}, {9, 20}, {9, 25}, {8, 26}, {0, 26}}, 80);
+  const TriangleMesh bowl = turnedAbout({{0, 0}, {10, 0}, {10, 8}, {9, 8}, {9, 1}, {0, 1}}, 96);
+  const TriangleMesh plate = shapes::drilledPlate(16, 2);
+  const struct Case {
+    const TriangleMesh& part;
+    std::vector<double> times;
+  } cases[] = {{tube, {6, 10, 16}}, {bolt, {3, 4, 6}}, {bowl, {3, 4, 6}}, {plate, {6, 10, 16}}};
+  for (const auto& [part, all] : cases) {
+    double before = 0.2;
+    for (const double times : all) {
+      CAPTURE(times);
+      const auto vertices = Index(std::lround(times * double(inspectMesh(part).vertices)));
+      const TriangleMesh made = remeshed(part, vertices, Prefer::Auto).mesh;
+      const MeshReport report = inspectMesh(made);
+      CHECK(report.vertices == vertices);
+      CHECK(report.minAngle.mean > 44.5);
+      CHECK(report.minAngle.worst > 12);
+      const double now = error(part, made);
+      CHECK(now < 1.1 * before + 0.01);
+      before = now;
+    }
+    CHECK(before < 1.05 * 100 * kSeen);
+  }
 }
 
 TEST_CASE("conformed: with shape preferred a part has no needle at many vertices") {
