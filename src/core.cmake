@@ -79,6 +79,7 @@ set(small
   src/arrangement/facets.cpp
   src/arrangement/merge.cpp
   src/arrangement/rounding.cpp
+  src/arrangement/snapping.cpp
   src/bake.cpp
   src/base/diagnostics.cpp
   src/base/fires.cpp

@@ -5,6 +5,7 @@ add_executable(unit_tests
   tests/unit/arrangement/dyadic_test.cpp
   tests/unit/arrangement/points_test.cpp
   tests/unit/arrangement/sheet_triangulation_test.cpp
+  tests/unit/arrangement/snapping_test.cpp
   tests/unit/bake_test.cpp
   tests/unit/base/diagnostics_test.cpp
   tests/unit/base/legible_test.cpp

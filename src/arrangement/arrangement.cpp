@@ -10,9 +10,11 @@
 #include "arrangement/merge.h"
 #include "arrangement/points.h"
 #include "arrangement/rounding.h"
+#include "arrangement/snapping.h"
 #include "base/fires.h"
 #include "base/place.h"
 #include "base/triangle_mesh.h"
+#include "geometry/triangle.h"
 #include "measure/self_intersections.h"
 #include "mesh/edge_groups.h"
 
@@ -23,7 +25,8 @@ namespace {
 using Outcome = ArrangementResult::Outcome;
 
 // Rounding may make triangles meet anew, which another arrangement parts. So many may follow each
-// other without a gain, because the number seldom falls in each.
+// other without a gain: all but the first after parts that nearly lie on each other were brought
+// together, twice as far in each.
 constexpr int kPatience = 6;
 
 bool isClosed(const ArrangementInput& input) {
@@ -143,6 +146,56 @@ std::vector<Index> crossingsOf(const ArrangementResult& result) {
   return selfIntersections(mesh);
 }
 
+// The step of written coordinates.
+double stepOf(std::span<const Vec3> positions, const ArrangementOptions& options) {
+  double largest = 0;
+  for (const Vec3& p : positions)
+    largest =
+        std::max(largest, (options.isSingle ? options.frame.written(p) : p).cwiseAbs().maxCoeff());
+  return options.isSingle ? largest * 0x1p-23 * options.frame.scale() : largest * 0x1p-52;
+}
+
+// The weights at the first's parent of a point in one of the first's triangles.
+Vec3 weightsIn(const ArrangementResult& first, Index triangle, const Vec3& p) {
+  const ArrangedTriangle& t = first.triangles[triangle];
+  const auto at = [&](std::size_t k) {
+    return first.positions[first.indices[3 * std::size_t{triangle} + k]];
+  };
+  const Vec3 own = closestBarycentric(p, at(0), at(1), at(2));
+  return own[0] * t.weights[0] + own[1] * t.weights[1] + own[2] * t.weights[2];
+}
+
+// The result with parts brought together that are so near to each other, around intersections.
+ArrangementResult snapped(const ArrangementResult& first, const ArrangementOptions& options,
+                          double tolerance) {
+  ArrangementResult result;
+  result.positions = first.positions;
+  KeptFacets facets{first.indices, {}, {}};
+  for (Index t = 0; t < first.triangles.size(); ++t) facets.from.push_back({t, 1});
+  const SnapRule rule{tolerance, [&](const Vec3& p) {
+                        const Vec3 place = canonicalPlace(p);
+                        return options.isSingle ? inSingle(place, options.frame) : place;
+                      }};
+  snapTogether(result.positions, facets, first.selfIntersections, rule);
+  mendRounded(result.positions, 0, facets);
+  result.indices = std::move(facets.corners);
+  for (std::size_t f = 0; f < facets.from.size(); ++f) {
+    const Index from = facets.from[f].triangle;
+    ArrangedTriangle triangle = first.triangles[from];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index corner = result.indices[3 * f + k];
+      const auto own = std::span(first.indices).subspan(3 * std::size_t{from}, 3);
+      const auto same = std::find(own.begin(), own.end(), corner);
+      triangle.weights[k] = same != own.end()
+                                ? first.triangles[from].weights[std::size_t(same - own.begin())]
+                                : weightsIn(first, from, result.positions[corner]);
+    }
+    result.triangles.push_back(triangle);
+  }
+  result.cut = first.cut, result.work = first.work;
+  return result;
+}
+
 // The rounded result is arranged like any closed surface; its parents are those of the first.
 ArrangementResult arrangedAgain(const ArrangementInput& input, const ArrangementOptions& options,
                                 const ArrangementResult& first) {
@@ -185,10 +238,12 @@ ArrangementResult arrange(const ArrangementInput& input, const ArrangementOption
   if (best.outcome != Outcome::Done) return best;
   best.selfIntersections = crossingsOf(best);
   ArrangementResult last = best;
+  const double step = stepOf(input.positions, options);
   for (int left = kPatience; left > 0 && !best.selfIntersections.empty(); --left) {
     fires("arrangement: arranged again after rounding");
+    if (left < kPatience) last = snapped(best, options, std::ldexp(step, kPatience - left));
     ArrangementResult next = arrangedAgain(input, options, last);
-    if (next.outcome != Outcome::Done || next.indices == last.indices) break;
+    if (next.outcome != Outcome::Done) break;
     last = std::move(next);
     last.selfIntersections = crossingsOf(last);
     if (last.selfIntersections.size() >= best.selfIntersections.size()) continue;

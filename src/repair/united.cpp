@@ -97,7 +97,7 @@ class Assembly {
   Index cornerAt(Index point, Index parent, const Vec3& weights) {
     const Index* v = &bodies_.indices[3 * std::size_t{parent}];
     for (std::size_t k = 0; k < 3; ++k)
-      if (weights == Vec3::Unit(Eigen::Index(k))) return v[k];
+      if (weights == Vec3::Unit(Eigen::Index(k)) && isAt(v[k], point)) return v[k];
     if (bodies_.attributes.empty() && point < welded_.vertices.size())
       return welded_.vertices[point];
     const auto at = [&](int k) { return bodies_.positions[v[k]]; };
@@ -116,6 +116,11 @@ class Assembly {
     *last = made;
     next_.push_back(kNone);
     return made;
+  }
+
+  // Corners that were brought together may have left their parent's.
+  bool isAt(Index vertex, Index point) const {
+    return bodies_.positions[vertex] == arranged_.positions[point];
   }
 
   const TriangleMesh& bodies_;
