@@ -243,7 +243,7 @@ ArrangementResult arrange(const ArrangementInput& input, const ArrangementOption
     fires("arrangement: arranged again after rounding");
     if (left < kPatience) last = snapped(best, options, std::ldexp(step, kPatience - left));
     ArrangementResult next = arrangedAgain(input, options, last);
-    if (next.outcome != Outcome::Done) break;
+    if (next.outcome != Outcome::Done || next.indices.empty()) break;
     last = std::move(next);
     last.selfIntersections = crossingsOf(last);
     if (last.selfIntersections.size() >= best.selfIntersections.size()) continue;

@@ -92,6 +92,14 @@ bool joinsNothing(const TriangleMesh& given, const TriangleMesh& joined) {
   return true;
 }
 
+// A surface that is sound only since its places were joined was not given as it is.
+void sayJoined(RepairReport& repair, const std::vector<io::Part>& given,
+               const std::vector<io::Part>& joined) {
+  if (repair.reason != "sound") return;
+  for (std::size_t i = 0; i < given.size(); ++i)
+    if (!joinsNothing(given[i].mesh, joined[i].mesh)) repair.reason = "closed";
+}
+
 }  // namespace
 
 double mendShare(const RemeshOptions& options) {
@@ -232,6 +240,7 @@ RepairedParts repairOnly(std::vector<io::Part>& parts, Held held, bool mayStay,
   const std::vector<io::Part> shown = asHeld(parts, held);
   report.output = inspectScaled(shown);
   mending.note(report);
+  if (report.repair) sayJoined(*report.repair, given, originals);
   if (report.repair && (isRounded || shown.size() < parts.size())) recountCrossings(report, shown);
   report.warnings = joined(std::move(report.warnings), damageIn(report, shown));
   for (const io::Part& part : parts)

@@ -227,3 +227,17 @@ TEST_CASE("part repair: coordinates that nothing changed are exactly those of th
                       [&](const Vec3& q) { return q == p; }));
   }
 }
+
+TEST_CASE(
+    "part repair: a surface that is sound once its places are joined is not called unchanged") {
+  RemeshOptions options;
+  options.repair = Repair::Auto;
+  TriangleMesh mesh = soups::cube(0, 1);
+  CHECK(repair(mesh, options).report.repair->reason == "sound");
+  mesh.isSingle = true;
+  for (Index v = 0; v < 12; ++v) mesh.positions[v].x() += 0x1p-28;  // some corners of a full turn
+  const RepairResult joined = repair(mesh, options);
+  CHECK(joined.report.repair->reason == "closed");
+  REQUIRE(joined.report.chosen.size() == 1);
+  CHECK(joined.report.chosen.front().rule == "repaired");
+}
