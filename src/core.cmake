@@ -349,6 +349,7 @@ set(small
   src/repair/loose_pieces.cpp
   src/repair/pieces.cpp
   src/repair/repair.cpp
+  src/repair/seen_share.cpp
   src/repair/sheet_bodies.cpp
   src/repair/sight.cpp
   src/repair/solid/apex.cpp

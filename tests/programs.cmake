@@ -218,6 +218,7 @@ add_executable(unit_tests
   tests/unit/repair/loose_pieces_test.cpp
   tests/unit/repair/pieces_test.cpp
   tests/unit/repair/repair_test.cpp
+  tests/unit/repair/seen_share_test.cpp
   tests/unit/repair/sheet_bodies_test.cpp
   tests/unit/repair/sight_test.cpp
   tests/unit/repair/solid/cell_loops_test.cpp

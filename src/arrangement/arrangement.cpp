@@ -27,7 +27,7 @@ using Outcome = ArrangementResult::Outcome;
 // Rounding may make triangles meet anew, which another arrangement parts. So many may follow each
 // other without a gain: all but the first after parts that nearly lie on each other were brought
 // together, twice as far in each.
-constexpr int kPatience = 6;
+constexpr int kPatience = 4;
 
 bool isClosed(const ArrangementInput& input) {
   const EdgeGroups edges(input.positions.size(), input.indices);

@@ -10,6 +10,7 @@
 #include "mesh/used_vertices.h"
 #include "repair/ladder.h"
 #include "repair/loose_pieces.h"
+#include "repair/seen_share.h"
 #include "repair/stitch.h"
 #include "repair/united.h"
 
@@ -17,9 +18,23 @@ namespace remesher {
 
 namespace {
 
+bool isSeenLost(const TriangleMesh& bodies, const United& outside) {
+  return 100 * seenShareLost(bodies, outside.mesh, outside.parents) > ladder::kMostLost;
+}
+
+// Where parts that are inside out are seen, they are inside, too; none if parts are lost even so.
+std::optional<United> seenUnion(const TriangleMesh& bodies) {
+  std::optional<United> outside = united(bodies);
+  if (!outside || !isSeenLost(bodies, *outside)) return outside;
+  fires("exact repair: parts inside out are seen");
+  outside = united(bodies, Inside::EitherWay);
+  if (outside && isSeenLost(bodies, *outside)) outside.reset();
+  return outside;
+}
+
 // The union of all of them; none if that is not sound.
 std::optional<United> soundUnion(const TriangleMesh& bodies, std::size_t crossingsBefore) {
-  std::optional<United> outside = united(bodies);
+  std::optional<United> outside = seenUnion(bodies);
   if (!outside || countUnbalancedEdges(outside->mesh) > 0) {
     fires("exact repair: the union is not closed");
     return std::nullopt;

@@ -148,9 +148,12 @@ std::optional<United> arranged(const TriangleMesh& bodies, const Operands& opera
   return result;
 }
 
-std::optional<United> united(const TriangleMesh& bodies) {
+std::optional<United> united(const TriangleMesh& bodies, Inside inside) {
+  InsideRule isInside = isWound;
+  if (inside == Inside::EitherWay)
+    isInside = [](std::span<const int> windings) { return windings[0] != 0; };
   std::optional<United> result =
-      arranged(bodies, {std::vector<Index>(bodies.triangleCount(), 0), isWound});
+      arranged(bodies, {std::vector<Index>(bodies.triangleCount(), 0), std::move(isInside)});
   if (result && result->mesh.indices.empty()) return std::nullopt;
   return result;
 }

@@ -32,7 +32,10 @@ struct Operands {
 // out. None if the triangles do not bound volumes, or if the work would be out of proportion.
 std::optional<United> arranged(const TriangleMesh& bodies, const Operands& operands);
 
+// What counts as inside: what a surface goes round counterclockwise, or either way.
+enum class Inside { Outwards, EitherWay };
+
 // The outside of the bodies, all of one operand. None as above, and if nothing is inside.
-std::optional<United> united(const TriangleMesh& bodies);
+std::optional<United> united(const TriangleMesh& bodies, Inside inside = Inside::Outwards);
 
 }  // namespace remesher

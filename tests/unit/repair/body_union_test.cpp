@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 #include <optional>
 #include <set>
 #include <string>
@@ -15,6 +16,7 @@
 #include "measure/self_intersections.h"
 #include "repair/repair.h"
 #include "repair/stitch.h"
+#include "repair/united.h"
 #include "support/shapes.h"
 #include "support/soups.h"
 
@@ -51,6 +53,33 @@ bool holds(const TriangleMesh& mesh, const TriangleMesh& part) {
 bool isSaid(const RepairedMesh& result, const char* code) {
   return std::any_of(result.warnings.begin(), result.warnings.end(),
                      [&](const PlacedWarning& one) { return one.warning.code == code; });
+}
+
+TriangleMesh inSinglePrecision(TriangleMesh mesh) {
+  mesh.isSingle = true;
+  for (Vec3& p : mesh.positions) p = p.cast<float>().cast<double>();
+  return mesh;
+}
+
+// Boxes on each other, turned, whose common planes are apart by roundings: the first for which the
+// union's rounding leaves intersections.
+TriangleMesh unsoundPlates() {
+  soups::Random random(3);
+  for (;;) {
+    TriangleMesh plates;
+    for (int i = 0; i < 8; ++i) {
+      const Vec3 at = (6 * random.point()).array().round() / 4, size(1.5, 1, 0.5 + 0.25 * (i % 3));
+      TriangleMesh box = soups::cube(0, 1);
+      for (Vec3& p : box.positions)
+        p = Vec3(at.x(), at.y(), i % 2 == 0 ? 0 : 0.5) + p.cwiseProduct(size);
+      plates = soups::joined({plates, box});
+    }
+    const Eigen::AngleAxisd turn(3 * random.number(),
+                                 (random.point() - Vec3::Constant(0.5)).normalized());
+    for (Vec3& p : plates.positions) p = turn * p;
+    const auto found = united(inSinglePrecision(soups::moved(plates, {8, 0, 0})));
+    if (found && !found->crossings.empty()) return plates;
+  }
 }
 
 TriangleMesh enlarged(TriangleMesh mesh, double by) {
@@ -122,13 +151,9 @@ TEST_CASE("body_union: many small cards are no debris, and what is given twice i
 
 TEST_CASE("body_union: bodies whose union is not sound do not spoil the others") {
   const TriangleMesh ball = shapes::icosphere(3), other = soups::moved(ball, {0.7, 0.1, 0.2});
-  TriangleMesh tiny = shapes::icosphere(9);  // a step of single precision is a fifth of an edge
-  tiny = soups::joined({tiny, soups::moved(tiny, {0.7, 0.1, 0.2})});
-  tiny = soups::moved(enlarged(tiny, 0.01), {3000, 0, 0});
-  TriangleMesh bodies = soups::joined({ball, other, tiny});
-  bodies.isSingle = true;
-  for (Vec3& p : bodies.positions) p = p.cast<float>().cast<double>();
-  // As if hardly any of the tiny ones' triangles had met, so that none of the union's may.
+  const TriangleMesh plates = soups::moved(unsoundPlates(), {8, 0, 0});
+  const TriangleMesh bodies = inSinglePrecision(soups::joined({ball, other, plates}));
+  // As if hardly any of their triangles had met, so that none of the union's may.
   const std::size_t large = ball.triangleCount() + other.triangleCount();
   std::vector<Index> crossings = selfIntersections(bodies);
   crossings.erase(std::upper_bound(crossings.begin(), crossings.end(), Index(large)) + 1,
@@ -142,4 +167,28 @@ TEST_CASE("body_union: bodies whose union is not sound do not spoil the others")
   CHECK(countUnbalancedEdges(found->mesh) == 0);
   CHECK(inspectMesh(found->mesh).eulerCharacteristic == 2);
   CHECK(found->parents.size() == found->mesh.triangleCount());
+}
+
+TEST_CASE("body union: a part that is inside out is not lost where it is seen") {
+  // A prism over a figure of eight: one of its lobes faces inwards, and is a little smaller.
+  constexpr int kSides = 32;
+  const auto at = [](int i, double z) {
+    const double u = 2 * std::numbers::pi * ((i % kSides) + 0.5) / kSides;
+    return Vec3((std::sin(u) > 0 ? 2 : 1.9) * std::sin(u), std::sin(2 * u), z);
+  };
+  TriangleMesh eight;
+  for (int i = 0; i < kSides; ++i) {
+    soups::addQuad(eight, {at(i, 0), at(i + 1, 0), at(i + 1, 1), at(i, 1)});
+    soups::addTriangle(eight, at(i + 1, 0), at(i, 0), {0, 0, 0});
+    soups::addTriangle(eight, at(i, 1), at(i + 1, 1), {0, 0, 1});
+  }
+  const RepairedMesh result = repairedByAuto(eight);
+  CHECK(result.report.reason == "united");
+  const std::vector<Vec3>& all = result.mesh.positions;
+  const auto [low, high] = std::minmax_element(
+      all.begin(), all.end(), [](const Vec3& p, const Vec3& q) { return p.x() < q.x(); });
+  CHECK(low->x() < -1.8);
+  CHECK(high->x() > 1.9);
+  CHECK(countUnbalancedEdges(result.mesh) == 0);
+  CHECK(selfIntersections(result.mesh).empty());
 }

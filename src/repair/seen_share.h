@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// How much of what is seen of bodies their union has lost: where a surface passes through itself
+// and goes on inside out, nothing is inside behind it.
+#pragma once
+
+#include <span>
+
+#include "base/triangle_mesh.h"
+
+namespace remesher {
+
+// A ratio of the bodies' area: of triangles that the union has no part of, is away from, and that
+// are seen from outside. parents: per triangle of the union one of the bodies. Looked for only
+// where the triangles without a part are more than the most that may be lost.
+double seenShareLost(const TriangleMesh& bodies, const TriangleMesh& outside,
+                     std::span<const Index> parents);
+
+}  // namespace remesher
