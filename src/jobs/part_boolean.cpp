@@ -131,6 +131,13 @@ United arrangedOf(const OperandPair& pair, const Bodies& bodies, BooleanOperatio
   return std::move(*found);
 }
 
+// Bodies that touch along an edge share it, which not every reader takes.
+void sayTouching(BooleanRun& run) {
+  for (Warning& warning : worseThanGiven({run.report.input, *run.report.output}, {run.part}))
+    if (warning.code == "NON_MANIFOLD_EDGES_MADE")
+      run.report.warnings.push_back(std::move(warning));
+}
+
 BooleanRun runOf(OperandPair pair, BooleanOperation operation, const Progress& progress) {
   BooleanRun run;
   progress.phase("repair", 0, 0.4);
@@ -151,6 +158,7 @@ BooleanRun runOf(OperandPair pair, BooleanOperation operation, const Progress& p
   run.part = scaled.undone(
       {pair.parts[0].name, std::move(found.mesh), {Transform::Identity()}, std::move(pair.groups)});
   run.report.output = inspectScaled({run.part});
+  sayTouching(run);
   return run;
 }
 

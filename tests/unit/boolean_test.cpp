@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "io/formats.h"
 #include "remesher.h"
@@ -240,4 +241,17 @@ TEST_CASE("boolean: far from the origin a glTF moves its mesh, not its shape") {
   const TriangleMesh ball = shapes::icosphere(3);
   const double common = commonVolume(ball, soups::moved(ball, {0.5, 0, 0}));
   CHECK(std::abs(volumeOf(result.parts.front().mesh) - common) < 1e-5);
+}
+
+TEST_CASE("boolean: bodies that touch along an edge share it, which is said") {
+  const TriangleMesh cube = soups::cube(0, 1);
+  const auto codesOf = [&](const Vec3& by) {
+    std::vector<std::string> codes;
+    const BooleanResult result = boolean(cube, soups::moved(cube, by), BooleanOperation::Union);
+    for (const Warning& warning : result.report.warnings) codes.push_back(warning.code);
+    return codes;
+  };
+  CHECK(codesOf({1, 1, 0}) == std::vector<std::string>{"NON_MANIFOLD_EDGES_MADE"});
+  CHECK(codesOf({1, 0, 0}).empty());
+  CHECK(codesOf({0.5, 0.5, 0}).empty());
 }
