@@ -57,6 +57,25 @@ TEST_CASE("flat sides: sides of quads run along a bottom's rims, where these ben
   }
 }
 
+TEST_CASE("curves: quads follow both edges of a slope a fifth of a side wide") {
+  constexpr double kWidth = 4, kHeight = 1, kStep = 0.07;
+  const std::vector<Vec2> outline = {{0, 0},
+                                     {kWidth, 0},
+                                     {kWidth, kHeight},
+                                     {kWidth / 2 + kStep, kHeight},
+                                     {kWidth / 2, kHeight + kStep},
+                                     {0, kHeight + kStep}};
+  const TriangleMesh bar = shapes::extruded(outline, shapes::kBarLength);
+  RemeshOptions options;
+  options.quads = true;
+  for (const Index vertices : {400, 600, 900}) {
+    CAPTURE(vertices);
+    options.vertices = vertices;
+    const TriangleMesh quads = remeshSurface(bar, options, {}).mesh;
+    CHECK(measureFidelity(bar, quads).hausdorff < 0.01);
+  }
+}
+
 TEST_CASE("flat sides: those of a drilled plate stay in their planes, and the hole is round") {
   const TriangleMesh plate = shapes::drilledPlate(6, 0.5);
   for (const Index vertices : {600, 2500}) {
