@@ -13,8 +13,9 @@ namespace remesher {
 class BaseMeshes {
  public:
   // The number of vertices of the first mesh, and of the second if that is less. `triangles` must
-  // outlive the meshes.
-  BaseMeshes(const TriangleMaker& triangles, std::size_t first, std::size_t second);
+  // outlive the meshes. mirrors: of a half.
+  BaseMeshes(const TriangleMaker& triangles, std::size_t first, std::size_t second,
+             const Mirrors& mirrors = {});
 
   const WorkingMesh& first() const { return first_; }
   const std::vector<WorkingMesh>& parts() const { return levels_.front(); }  // of the first mesh
@@ -25,6 +26,7 @@ class BaseMeshes {
 
  private:
   const TriangleMaker& triangles_;
+  const Mirrors mirrors_;
   std::size_t count_, second_;
   WorkingMesh first_;
   FaceData<Index> numbers_;

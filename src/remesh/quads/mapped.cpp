@@ -49,7 +49,7 @@ struct Domain {
   const WorkingMesh& part;
   const Simpler& simpler;
   Tears tears;
-  std::span<const Guide> guides;
+  const FieldWishes& wishes;
 };
 
 struct Extracted {
@@ -196,7 +196,7 @@ QuadMesh quadsOf(const Domain& domain, double vertices, SizeMaker& sizesOn) {
   const WorkingMesh &part = domain.part, &closed = domain.simpler.mesh;
   const double length = std::sqrt(areaOf(part) / vertices);
   const FaceFrames frames(closed);
-  const CrossField field = makeSmoothField(closed, frames, length, domain.guides);
+  const CrossField field = makeSmoothField(closed, frames, length, domain.wishes);
   FaceData<double> sizes = sizesOn(closed), turned = crossSizes(closed, frames, field);
   for (Index f = 0; f < sizes.size(); ++f) turned[Face(f)] *= sizes[Face(f)];
   MapMaker maker(closed, field, scaledToMean(std::move(turned), closed));
@@ -231,7 +231,7 @@ QuadMesh quadsOf(const Domain& domain, double vertices, SizeMaker& sizesOn) {
 // room for lines of quads along it. Near holes of two to four quads may become one in a map: where
 // it fails, they are closed as well.
 QuadMesh mapToQuads(const WorkingMesh& part, double vertices, SizeMaker& sizesOn, Tears tears,
-                    std::span<const Guide> guides) {
+                    const FieldWishes& wishes) {
   const double side = std::sqrt(areaOf(part) / vertices), small = 4.5 * side;
   Index faces = 0;
   for (const double most : {small, 2 * small}) {
@@ -239,7 +239,7 @@ QuadMesh mapToQuads(const WorkingMesh& part, double vertices, SizeMaker& sizesOn
     const auto now = Index(simpler.mesh.mesh().faceCount());
     if (now == faces) break;
     faces = now;
-    QuadMesh quads = quadsOf({part, simpler, tears, guides}, vertices, sizesOn);
+    QuadMesh quads = quadsOf({part, simpler, tears, wishes}, vertices, sizesOn);
     if (!quads.quads.empty()) return quads;
   }
   return {};

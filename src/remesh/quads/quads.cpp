@@ -90,7 +90,8 @@ QuadMesh mapOn(BaseMeshes& bases, MapStart& start, const PartShare& share, const
   for (;;) {
     bool isOpen = false;
     while (const WorkingMesh* part = bases.part(start.level, share.number)) {
-      QuadMesh quads = mapToQuads(*part, share.vertices, sizes, start.tears, goal.guides);
+      QuadMesh quads =
+          mapToQuads(*part, share.vertices, sizes, start.tears, {goal.guides, goal.mirrors});
       if (!quads.quads.empty()) return quads;
       isOpen = isOpen || boundaryLoopCount(part->mesh()) > 0;
       ++start.level;
@@ -104,7 +105,7 @@ QuadMesh mapOn(BaseMeshes& bases, MapStart& start, const PartShare& share, const
 
 QuadMesh pairsOf(const WorkingMesh& mesh, double length, std::span<const Guide> guides = {}) {
   const FaceFrames frames(mesh);
-  const CrossField field = makeSmoothField(mesh, frames, length, guides);
+  const CrossField field = makeSmoothField(mesh, frames, length, {guides});
   return splitPairs(mesh, pairTriangles(mesh, frames, field));
 }
 
@@ -150,7 +151,7 @@ MadeQuads pairParts(const std::vector<PartShare>& wanted, std::size_t vertices,
   MadeQuads quads;
   for (int i = 0; i < 3; ++i) {
     WorkingMesh mesh = triangles(coarse);
-    openSectors(mesh);
+    openSectors(mesh, goal.mirrors);
     const FaceData<Index> numbers = partNumbers(mesh.surface().mesh());
     quads = {};
     for (const WorkingMesh& part : connectedParts(mesh)) {
@@ -176,7 +177,8 @@ class QuadMaking {
   QuadMaking(const QuadGoal& goal, const TriangleMaker& triangles)
       : goal_(goal),
         triangles_(triangles),
-        bases_(triangles, firstCount(goal), goal.vertices >> goal.mirrors.planes.size()),
+        bases_(triangles, firstCount(goal), goal.vertices >> goal.mirrors.planes.size(),
+               goal.mirrors),
         expected_(ownVertices(bases_.first(), goal)),
         starts_(bases_.parts().size()) {}
 

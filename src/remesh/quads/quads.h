@@ -10,6 +10,7 @@
 
 #include "base/options.h"
 #include "base/paired_part.h"
+#include "remesh/quads/field/cross_field.h"
 #include "remesh/quads/mesh/quad_mesh.h"
 
 namespace remesher {
@@ -56,7 +57,7 @@ enum class Tears { Refused, Closed };
 
 // Quads by the map, for one connected part; no quads if the map fails.
 QuadMesh mapToQuads(const WorkingMesh& part, double vertices, SizeMaker& sizesOn,
-                    Tears tears = Tears::Refused, std::span<const Guide> guides = {});
+                    Tears tears = Tears::Refused, const FieldWishes& wishes = {});
 
 // Quads by pairs, with about four times as many vertices as the mesh. length: of the quads' sides.
 QuadMesh pairToQuads(const WorkingMesh& mesh, double length);

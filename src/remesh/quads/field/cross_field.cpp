@@ -186,9 +186,9 @@ double CrossField::bend(const FaceFrames& frames, const HalfedgeMesh& mesh, Half
 }
 
 CrossField makeCrossField(const WorkingMesh& mesh, const FaceFrames& frames, double length,
-                          std::span<const Guide> guides) {
-  const FaceData<Wish> wishes = makeWishes(mesh, frames, length, guides);
-  const FaceData<Complex> crosses = smoothCrosses(mesh, frames, wishes);
+                          const FieldWishes& wishes) {
+  const FaceData<Complex> crosses =
+      smoothCrosses(mesh, frames, makeWishes(mesh, frames, length, wishes.guides));
   const HalfedgeMesh& m = mesh.mesh();
   CrossField field{FaceData<double>(m.faceCapacity()), HalfedgeData<int>(m.halfedgeCapacity(), 0)};
   for (Index i = 0; i < m.faceCapacity(); ++i)
@@ -199,7 +199,7 @@ CrossField makeCrossField(const WorkingMesh& mesh, const FaceFrames& frames, dou
     field.turn[h] = int(std::lround(-field.bend(frames, m, h) / kQuarterTurn));
     field.turn[twin] = -field.turn[h];
   }
-  turnSectors(field, mesh, frames);
+  turnSectors(field, mesh, frames, wishes.mirrors);
   return field;
 }
 

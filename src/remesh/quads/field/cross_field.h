@@ -27,10 +27,16 @@ struct CrossField {
   double bend(const FaceFrames& frames, const HalfedgeMesh& mesh, Halfedge h) const;
 };
 
+// What a field heeds besides the surface.
+struct FieldWishes {
+  std::span<const Guide> guides = {};  // their directions count for more than curvature
+  Mirrors mirrors = {};                // of a half: planes that mirror its quads
+};
+
 // length: of the quads' sides, model units. Curvature is weighted by how far the surface bends over
-// this length. guides: lines on the surface whose directions count for more than curvature.
+// this length.
 CrossField makeCrossField(const WorkingMesh& mesh, const FaceFrames& frames, double length,
-                          std::span<const Guide> guides = {});
+                          const FieldWishes& wishes = {});
 
 // Keeps the turns, and makes the angles as smooth as the turns allow.
 void smoothAngles(CrossField& field, const WorkingMesh& mesh, const FaceFrames& frames);

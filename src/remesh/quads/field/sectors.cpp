@@ -22,6 +22,20 @@ bool goesOn(VertexKind kind, double angle) {
   return kind == VertexKind::Curve ? angle > kGoesOn : std::lround(angle / kQuarterTurn) >= 2;
 }
 
+// Whether two edges lie in one of the planes.
+bool areInPlane(const WorkingMesh& mesh, Halfedge a, Halfedge b, const Mirrors& mirrors) {
+  const auto isIn = [&](const MirrorPlane& plane, Vertex v) {
+    return std::abs(plane.distance(mesh.position(v))) <= mirrors.slack;
+  };
+  return std::any_of(mirrors.planes.begin(), mirrors.planes.end(), [&](const MirrorPlane& plane) {
+    for (const Halfedge h : {a, b})
+      if (!mesh.mesh().isBoundary(h) || !isIn(plane, mesh.mesh().origin(h)) ||
+          !isIn(plane, mesh.mesh().tip(h)))
+        return false;
+    return true;
+  });
+}
+
 double angleAt(const WorkingMesh& mesh, Halfedge h) {
   const Vec3& p = mesh.position(mesh.mesh().origin(h));
   const Vec3 out = mesh.position(mesh.mesh().tip(h)) - p;
@@ -36,10 +50,12 @@ double cornerAngle(const FaceFrames& frames, Halfedge h) {
 }
 
 // From a curve edge counterclockwise to the next one: the edges crossed, each as the halfedge
-// towards the vertex in the triangle before, and the last curve edge.
+// towards the vertex in the triangle before, the last curve edge, and whether a plane that mirrors
+// the quads has both curve edges.
 struct Sector {
   std::vector<Halfedge> inside;
   Halfedge last;
+  bool isInPlane = false;
 };
 Sector sectorFrom(const WorkingMesh& mesh, Halfedge first) {
   Sector sector{{}, HalfedgeMesh::prev(first)};
@@ -67,7 +83,9 @@ int lackOf(const WorkingMesh& mesh, const FaceFrames& frames, const Sector& sect
   double angle = cornerAngle(frames, sector.last);
   for (const Halfedge h : sector.inside) angle += cornerAngle(frames, h);
   const Vertex v = mesh.mesh().tip(sector.last);
-  const int least = !mesh.mesh().isBoundary(v) && goesOn(mesh.kind(v), angle) ? 2 : 1;
+  const bool isHalfTurn =
+      sector.isInPlane || (!mesh.mesh().isBoundary(v) && goesOn(mesh.kind(v), angle));
+  const int least = isHalfTurn ? 2 : 1;
   // Four quarters look like none: `quarters` is modulo 4.
   return angle < (least + 1) * kQuarterTurn ? std::max(least - quarters, 0) : 0;
 }
@@ -127,26 +145,30 @@ std::vector<Halfedge> fromMiddle(const WorkingMesh& mesh, const Sector& sector) 
 
 }  // namespace
 
-void openSectors(WorkingMesh& mesh) {
+void openSectors(WorkingMesh& mesh, const Mirrors& mirrors) {
   const HalfedgeMesh& m = mesh.mesh();
   for (Index i = 0; i < m.halfedgeCapacity(); ++i) {
     const Halfedge h(i), across = HalfedgeMesh::next(h);
     if (!mesh.isCurve(h) || !mesh.isCurve(HalfedgeMesh::prev(h)) || mesh.isCurve(across)) continue;
     const Vertex v = m.origin(h);
-    if (m.isBoundary(v) || !goesOn(mesh.kind(v), angleAt(mesh, h))) continue;
+    const bool isHalfTurn = m.isBoundary(v) ? areInPlane(mesh, h, HalfedgeMesh::prev(h), mirrors)
+                                            : goesOn(mesh.kind(v), angleAt(mesh, h));
+    if (!isHalfTurn) continue;
     const Vec3 middle = (mesh.position(m.origin(across)) + mesh.position(m.tip(across))) / 2;
     mesh.split(across,
                mesh.onSurface(closestPointFrom(mesh.surface(), mesh.cornerPoint(across), middle)));
   }
 }
 
-void turnSectors(CrossField& field, const WorkingMesh& mesh, const FaceFrames& frames) {
+void turnSectors(CrossField& field, const WorkingMesh& mesh, const FaceFrames& frames,
+                 const Mirrors& mirrors) {
   const HalfedgeMesh& m = mesh.mesh();
   for (Index i = 0; i < m.halfedgeCapacity(); ++i) {
     const Halfedge first(i);
     if (!mesh.isCurve(first)) continue;
-    const Sector sector = sectorFrom(mesh, first);
+    Sector sector = sectorFrom(mesh, first);
     if (sector.inside.empty()) continue;
+    sector.isInPlane = areInPlane(mesh, first, sector.last, mirrors);
     const int lack = lackOf(mesh, frames, sector, quartersOf(sector, first, field, frames));
     if (lack == 0) continue;
     for (const Halfedge h : wayInside(mesh, fromMiddle(mesh, sector))) {

@@ -148,8 +148,8 @@ void cancelPairs(CrossField& field, const WorkingMesh& mesh, const FaceFrames& f
 }
 
 CrossField makeSmoothField(const WorkingMesh& mesh, const FaceFrames& frames, double length,
-                           std::span<const Guide> guides) {
-  CrossField field = makeCrossField(mesh, frames, length, guides);
+                           const FieldWishes& wishes) {
+  CrossField field = makeCrossField(mesh, frames, length, wishes);
   cancelPairs(field, mesh, frames, kCancelWithin * length);
   return field;
 }

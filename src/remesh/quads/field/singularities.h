@@ -20,6 +20,6 @@ void cancelPairs(CrossField& field, const WorkingMesh& mesh, const FaceFrames& f
 
 // A field for quads with sides of this length, its nearest pairs cancelled.
 CrossField makeSmoothField(const WorkingMesh& mesh, const FaceFrames& frames, double length,
-                           std::span<const Guide> guides = {});
+                           const FieldWishes& wishes = {});
 
 }  // namespace remesher

@@ -51,6 +51,20 @@ TriangleMesh toothedRing(int teeth) {
   return mesh;
 }
 
+// Half of a cone in front of the plane y = 0, which goes through its tip: around the tip is so much
+// of a full turn.
+TriangleMesh halfCone(double turns) {
+  constexpr int kSteps = 12;
+  const double wide = 2 * turns, high = std::sqrt(1 - wide * wide);
+  TriangleMesh mesh;
+  shapes::addSheet(mesh, kSteps, kSteps, [&](int x, int y) {
+    const double away = double(y) / kSteps;
+    const Vec3 at = shapes::onCircle(x, 2 * kSteps) * wide * away;
+    return Vec3(at.x(), x % kSteps == 0 ? 0 : at.y(), away * high);
+  });
+  return mesh;
+}
+
 MadeQuads madeOn(const WorkingMesh& ground, const QuadGoal& goal) {
   return makeQuads(goal, [&](std::size_t) { return ground; });
 }
@@ -210,6 +224,22 @@ TEST_CASE("quads: a half comes to the number of the whole, with sides along the 
   const QuadSides sides(made.mesh.vertices.size(), made.mesh.quads);
   for (Index v = 0; v < made.mesh.vertices.size(); ++v)
     CHECK(sides.isBoundary(v) == (made.mesh.position(v).y() == 0));
+}
+
+TEST_CASE("quads: between two sides on a plane that mirrors them there are two quads or more") {
+  for (const double turns : {0.2, 0.28, 0.35}) {
+    CAPTURE(turns);
+    const OriginalSurface surface = shapes::surfaceOf(halfCone(turns), shapes::Features::None);
+    QuadGoal goal{400};
+    goal.mirrors = {{{Vec3::UnitY(), 0}}, 1e-9, 400};
+    const MadeQuads made = madeOn(WorkingMesh(surface), goal);
+    REQUIRE(check(made.mesh) == "");
+    for (const Four<Index>& quad : made.mesh.quads) {
+      const auto onPlane = std::count_if(quad.begin(), quad.end(),
+                                         [&](Index v) { return made.mesh.position(v).y() == 0; });
+      CHECK(onPlane <= 2);
+    }
+  }
 }
 
 TEST_CASE("quads: where triangles are small, so are quads") {

@@ -24,7 +24,7 @@ TEST_CASE("guide directions: crosses turn along a guide, most on it and not a le
                            0.05 * (i - 5) * Vec3(std::cos(angle), std::sin(angle), 0));
   const std::vector<Guide> guides = {guide};
   const FaceData<Complex> asked = guideCrosses(mesh, frames, guides, 0.3);
-  const CrossField field = makeCrossField(mesh, frames, 0.3, guides);
+  const CrossField field = makeCrossField(mesh, frames, 0.3, {guides});
   for (Index i = 0; i < asked.size(); ++i) {
     const auto [a, b, c] = mesh.corners(Face(i));
     const Vec3 middle = (a + b + c) / 3;
