@@ -274,6 +274,7 @@ set(small
   src/remesh/quads/mapped.cpp
   src/remesh/quads/mesh/quad_borders.cpp
   src/remesh/quads/mesh/quad_check.cpp
+  src/remesh/quads/mesh/quad_distance.cpp
   src/remesh/quads/mesh/quad_parts.cpp
   src/remesh/quads/mesh/quad_sides.cpp
   src/remesh/quads/mesh/triangulated.cpp

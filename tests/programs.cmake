@@ -167,6 +167,7 @@ add_executable(unit_tests
   tests/unit/remesh/quads/map/untangle_test.cpp
   tests/unit/remesh/quads/mesh/quad_borders_test.cpp
   tests/unit/remesh/quads/mesh/quad_check_test.cpp
+  tests/unit/remesh/quads/mesh/quad_distance_test.cpp
   tests/unit/remesh/quads/mesh/triangulated_test.cpp
   tests/unit/remesh/quads/pair/pairing_test.cpp
   tests/unit/remesh/quads/quad_sizes_test.cpp

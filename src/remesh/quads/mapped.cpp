@@ -14,6 +14,7 @@
 #include "remesh/quads/field/singularities.h"
 #include "remesh/quads/mesh/quad_borders.h"
 #include "remesh/quads/mesh/quad_check.h"
+#include "remesh/quads/mesh/quad_distance.h"
 #include "remesh/quads/mesh/quad_parts.h"
 #include "remesh/quads/mesh/quad_sides.h"
 #include "remesh/quads/quad_sizes.h"
@@ -39,6 +40,8 @@ constexpr double kFarthest = 2;
 constexpr double kTooMany = 4;
 // Of fewer vertices maps take no time, and singular vertices may fall together.
 constexpr double kFew = 100;
+// Quads that leave a part of the surface by as many sides are worse than pairs.
+constexpr double kMostAway = 1.4;
 // Where the longest loop crosses more than this share of the edges, so many more maps are looked
 // at, whose scales differ by kMoreStep, for one whose longest loop is clearly shorter.
 constexpr double kLongLoop = 0.25, kMoreStep = 0.002, kShorter = 0.9;
@@ -50,6 +53,7 @@ struct Domain {
   const Simpler& simpler;
   Tears tears;
   const FieldWishes& wishes;
+  const QuadDistance distance = QuadDistance(part);
 };
 
 struct Extracted {
@@ -141,6 +145,11 @@ std::optional<Extracted> searchScale(const Domain& domain, const MapMaker& maker
     // Shaping lessens neither the faults so far nor, by much, the distance from the number.
     if (best && costOf(made, vertices) >= costOf(*best, vertices)) {
       ++shaped;
+      continue;
+    }
+    if (domain.distance.sidesAway(made.quads) > kMostAway) {
+      fires("quads: the map leaves the surface");
+      ++failed;
       continue;
     }
     shape(made.quads, part);
