@@ -287,10 +287,10 @@ val inspectClosely(const val& mesh, const val& wanted) {
 }
 
 // request: { name, bytes, resources }
-val inspectBytes(const val& request, bool areFaultsSought) {
+val inspectBytes(const val& request, bool areFaultsSought, const val& onProgress) {
   return guarded([&] {
     const FileBundle bundle = bundleFrom(request);
-    val result = objectFrom(inspectFile(bundle));
+    val result = objectFrom(inspectFile(bundle, progressFrom(onProgress)));
     if (areFaultsSought) result.set("faults", faultsFrom(findFaultsInFile(bundle)));
     return result;
   });

@@ -198,16 +198,18 @@ Report inspect(const TriangleMesh& mesh) {
   return timed(std::move(report), clock);
 }
 
-Report inspectFile(const FileBundle& input) {
+Report inspectFile(const FileBundle& input, const Progress& progress) {
   PhaseClock clock;
-  clock.enter("read");
+  const Progress whole = progress.timedBy(clock);
+  whole.phase("read", 0, kInspectedRead);
   io::Model model = io::read(input.file, input.resources);
-  clock.enter("inspect");
+  const Progress work = whole.phase("inspect", kInspectedRead, 1);
   Report report;
   report.input = inFile(input.file.name, [&] {
     model.warnings = joined(model.warnings, roomWarnings(model.parts));
     model.parts = joinedPlaces(std::move(model.parts), {});
-    return inspectScaled(model.parts);
+    work.at(0.1);
+    return inspectScaled(model.parts, work.part(0.1, 1));
   });
   report.warnings = joined(model.warnings, looseTriangles(report.input, model.parts));
   return timed(std::move(report), clock);

@@ -136,7 +136,7 @@ struct ConvertFileResult {
 ConvertFileResult convertFile(const FileBundle& input, const std::string& outputName);
 
 Report inspect(const TriangleMesh& mesh);
-Report inspectFile(const FileBundle& input);
+Report inspectFile(const FileBundle& input, const Progress& progress = {});
 
 // Finds what is broken, which takes longer than inspect.
 FaultReport findFaults(const TriangleMesh& mesh);

@@ -58,17 +58,19 @@ bool isUnchanged(const TriangleMesh& now, const TriangleMesh& before) {
 
 }  // namespace
 
-InspectedParts::InspectedParts(const std::vector<io::Part>& given)
+InspectedParts::InspectedParts(const std::vector<io::Part>& given, const Progress& progress)
     : given_(given),
       frames_(given, FrameRounding::Allowed, FrameAxes::Own),
       parts_(frames_.isNeeded() ? frames_.applied(given) : given) {
   for (io::Part& part : parts_) {
     requireValid(part.mesh);
     orders_.push_back(canonicalOrder(part.mesh));
+    progress.at(0.6 * double(orders_.size()) / double(parts_.size()));
     part.mesh = inOrder(part.mesh, orders_.back());
   }
   weldings_ = weldingsOf(parts_);
   places_ = placesOf(parts_);
+  progress.at(0.8);
   report_ = inspectParts(parts_, weldings_, places_);
   report_.diagonal = worldDiagonal(given_);
 }
@@ -109,8 +111,8 @@ Vec3 InspectedParts::given(std::size_t part, const Vec3& p) const {
   return frames_.undone(part, p);
 }
 
-MeshReport inspectScaled(const std::vector<io::Part>& parts) {
-  return InspectedParts(parts).report();
+MeshReport inspectScaled(const std::vector<io::Part>& parts, const Progress& progress) {
+  return InspectedParts(parts, progress).report();
 }
 
 }  // namespace remesher

@@ -7,6 +7,7 @@
 
 #include "base/input_place.h"
 #include "base/options.h"
+#include "base/progress.h"
 #include "base/report.h"
 #include "io/model/model.h"
 #include "jobs/parts/part_frames.h"
@@ -19,7 +20,7 @@ namespace remesher {
 class InspectedParts {
  public:
   // `parts` must outlive the object. Throws the Errors of requireValid.
-  explicit InspectedParts(const std::vector<io::Part>& parts);
+  explicit InspectedParts(const std::vector<io::Part>& parts, const Progress& progress = {});
 
   const std::vector<io::Part>& given() const { return given_; }
   // At about unit size and in canonical order, as are weldings and places.
@@ -50,6 +51,6 @@ class InspectedParts {
 };
 
 // The report on parts of any size. Throws the Errors of requireValid.
-MeshReport inspectScaled(const std::vector<io::Part>& parts);
+MeshReport inspectScaled(const std::vector<io::Part>& parts, const Progress& progress = {});
 
 }  // namespace remesher

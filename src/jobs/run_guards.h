@@ -14,8 +14,10 @@
 
 namespace remesher {
 
-// The approximate share of a run's time.
+// The approximate shares of the time that reading takes, of a run and of an inspection.
+// bindings/package/worker/engine.js has the same numbers.
 inline constexpr double kReadShare = 0.05;
+inline constexpr double kInspectedRead = 0.2;
 
 // Turns failed allocations into an Error; by then all memory of the work is free again.
 template <class Body>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Files that are read in blocks, never whole: binary PLY and STL. Read whole, they give the same
-// bytes.
+// Files that are read in blocks, never whole: binary PLY and STL, also from streams, pipes and .gz.
+// Read whole, they give the same bytes.
 import assert from 'node:assert/strict';
 import { execFileSync, spawnSync } from 'node:child_process';
 import {
@@ -8,11 +8,14 @@ import {
 } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { Readable } from 'node:stream';
 import { after, test } from 'node:test';
+import { gzipSync } from 'node:zlib';
 
 import { isReadInBlocks } from '../../dist/base/contents.js';
+import { blocksOfPieces, Pieces } from '../../dist/base/pieces.js';
 import { withInput } from '../../dist/files/input.js';
-import { remeshFile } from '../../dist/node.js';
+import { inspect, remeshFile } from '../../dist/node.js';
 import { stl, torus } from '../support/shapes.js';
 import { root } from '../support/tree.js';
 
@@ -41,14 +44,34 @@ const files = { 'torus.ply': plyBytes(shape), 'torus.stl': Buffer.from(stl(shape
 for (const [name, bytes] of Object.entries(files)) writeFileSync(join(top, name), bytes);
 const options = { vertices: 400 };
 
+/** Bytes in chunks of a length. */
+function* chunksOf(bytes, length) {
+  for (let at = 0; at < bytes.length; at += length) yield bytes.subarray(at, at + length);
+}
+
+/** The ways to give bytes. */
+function waysOf(bytes) {
+  const packed = gzipSync(bytes);
+  return {
+    'a Blob': () => new Blob([bytes]),
+    'a stream of short chunks': () => ReadableStream.from(chunksOf(bytes, 777)),
+    'one of long chunks': () => Readable.from(chunksOf(bytes, 3_000_001)),
+    'a .gz': () => packed,
+    'a Blob that is packed': () => new Blob([packed]),
+    'a packed stream': () => Readable.from(chunksOf(packed, 100_000)),
+  };
+}
+
 for (const [name, bytes] of Object.entries(files)) {
   test(`${name} gives the same bytes in blocks, whole, as a Blob, by a pipe`, async () => {
     assert.ok(bytes.length > 2 ** 20);
     const request = { name, output: 'out.ply', ...options };
     const wanted = Buffer.from((await remeshFile(bytes, request)).bytes);
-    for (const worker of [true, false]) {
-      const { bytes: ofBlob } = await remeshFile(new Blob([bytes]), { ...request, worker });
-      assert.deepEqual(Buffer.from(ofBlob), wanted, 'a Blob');
+    for (const [way, given] of Object.entries(waysOf(bytes))) {
+      for (const worker of [true, false]) {
+        const { bytes: made } = await remeshFile(given(), { ...request, worker });
+        assert.deepEqual(Buffer.from(made), wanted, `${way}${worker ? ', in a worker' : ''}`);
+      }
     }
     const run = (/** @type {string[]} */ ...words) =>
       execFileSync(process.execPath, [cli, ...words], { cwd: top, stdio: 'pipe' });
@@ -75,6 +98,21 @@ for (const [name, bytes] of Object.entries(files)) {
     else assert.equal(same.length, bytes.length);
   });
 
+  test(`${name} tells how much of it is read, and can be left`, async () => {
+    for (const worker of [true, false]) {
+      const told = [];
+      await inspect(new Blob([bytes]), { name, worker, onProgress: (event) => told.push(event) });
+      assert.equal(told[0].phase, 'read');
+      assert.equal(told.at(-1).phase, 'inspect');
+      const fractions = told.map(({ fraction }) => fraction);
+      assert.deepEqual(fractions, [...fractions].sort((a, b) => a - b));
+      assert.ok(fractions[0] < 0.2 && fractions.at(-1) > 0.5, `${fractions}`);
+    }
+    const controller = new AbortController();
+    await assert.rejects(inspect(Readable.from(chunksOf(bytes, 2 ** 16)), { name, worker: false,
+      signal: controller.signal, onProgress: () => controller.abort() }), { name: 'AbortError' });
+  });
+
   test(`${name} is opened without being read`, async () => {
     const path = join(top, name);
     const { bytes: begin, handle } = await withInput(path, async (file) => file);
@@ -94,6 +132,38 @@ test('a file that becomes shorter while it is read is refused in a sentence', as
     await assert.rejects(new Api(platform).remeshFile(file, run), { code: 'INPUT_UNREADABLE',
       message: /^short\.ply cannot be read from byte \d+ on\.$/ });
   });
+});
+
+test('bytes in pieces are those that came, from any place on', () => {
+  const bytes = Uint8Array.from({ length: 9_000_001 }, (_, i) => (i * 7919) >> 8);
+  const pieces = new Pieces();
+  for (const chunk of chunksOf(bytes, 1_234_567)) pieces.add(chunk);
+  assert.deepEqual(pieces.joined(), bytes);
+  assert.equal(pieces.open().handle, undefined, 'no format that is read in blocks');
+  const { 'torus.ply': ply } = files;
+  const some = new Pieces();
+  some.add(ply.subarray(0, 100_000));
+  some.add(ply.subarray(100_000));
+  const { bytes: begin, handle } = some.open();
+  assert.deepEqual(Buffer.from(begin), ply.subarray(0, 65536));
+  const read = blocksOfPieces(handle);
+  for (const [at, length] of [[0, 10], [99_990, 500], [ply.length - 5, 5]]) {
+    const into = new Uint8Array(length);
+    assert.ok(read(at, into));
+    assert.deepEqual(Buffer.from(into), ply.subarray(at, at + length));
+  }
+  assert.ok(!read(ply.length - 5, new Uint8Array(6)));
+});
+
+test('a stream of no bytes, or that breaks, is refused in a sentence', async () => {
+  const request = { name: 'torus.ply', ...options };
+  await assert.rejects(remeshFile(Readable.from(['text'], { objectMode: true }), request),
+    { code: 'PARSE_ERROR' });
+  async function* broken() {
+    yield files['torus.ply'].subarray(0, 1000);
+    throw new Error('the line is dead');
+  }
+  await assert.rejects(remeshFile(broken(), request), { code: 'PARSE_ERROR' });
 });
 
 test('only what nothing but the core looks into is read in blocks', () => {

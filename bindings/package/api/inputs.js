@@ -7,14 +7,17 @@ import { bytesLooked, isReadInBlocks } from '../base/contents.js';
 import { withoutGz } from '../base/formats.js';
 import { legible } from '../base/legible.js';
 import { OpenFile } from '../base/open_file.js';
+import { Pieces } from '../base/pieces.js';
 
 /** @import {
  *   FileRequest, Indices, Mesh, MeshAttribute, NumberArray, PlacedMesh,
  * } from '../base/messages.js' */
 
 /**
- * A file's contents. Of a `File`, the name is known too.
- * @typedef {Uint8Array | ArrayBuffer | Blob} Bytes
+ * A file's contents, at once or as a stream of `Uint8Array`s: a web stream, one of Node's, or any
+ * other async iterable. Of a `File`, the name is known too.
+ * @typedef {Uint8Array | ArrayBuffer | Blob | ReadableStream<Uint8Array>
+ *   | AsyncIterable<Uint8Array>} Bytes
  */
 
 /**
@@ -202,27 +205,57 @@ export function buffersOf(mesh) {
 /** @param {unknown} value @returns {value is Bytes} */
 export function isBytes(value) {
   return value instanceof Uint8Array || value instanceof ArrayBuffer || value instanceof OpenFile
-    || (typeof Blob !== 'undefined' && value instanceof Blob);
+    || (typeof Blob !== 'undefined' && value instanceof Blob) || isStream(value);
 }
 
-/** @param {Blob} blob */
-const allOf = async (blob) => new OpenFile(new Uint8Array(await blob.arrayBuffer()));
+/** @param {unknown} value @returns {value is ReadableStream<Uint8Array>} */
+const isWebStream = (value) =>
+  typeof ReadableStream !== 'undefined' && value instanceof ReadableStream;
 
-/** The first bytes of a Blob that the core reads in blocks, and all bytes of another.
- * @param {Blob} blob */
-async function beginOf(blob) {
-  const begin = new Uint8Array(await blob.slice(0, bytesLooked).arrayBuffer());
-  if (begin.length === blob.size) return new OpenFile(begin);
-  return isReadInBlocks(begin, blob.size) ? new OpenFile(begin, { blob, size: blob.size })
-    : allOf(blob);
+/** @param {unknown} value
+ * @returns {value is ReadableStream<Uint8Array> | AsyncIterable<Uint8Array>} */
+const isStream = (value) => isWebStream(value)
+  || typeof (/** @type {any} */ (value)?.[Symbol.asyncIterator]) === 'function';
+
+/** A web stream as an async iterable, which it is not in every browser.
+ * @param {ReadableStream<Uint8Array>} stream */
+async function* chunksOf(stream) {
+  const reader = stream.getReader();
+  for (let step = await reader.read(); !step.done; step = await reader.read()) yield step.value;
 }
 
-/** @param {unknown} value @param {string} label @param {(blob: Blob) => Promise<OpenFile>} open
+/** @param {ReadableStream<Uint8Array> | AsyncIterable<Uint8Array>} stream */
+async function collected(stream) {
+  const pieces = new Pieces();
+  for await (const chunk of isWebStream(stream) ? chunksOf(stream) : stream) {
+    if (!(chunk instanceof Uint8Array)) throw new TypeError('The stream is not of bytes.');
+    pieces.add(chunk);
+  }
+  return pieces;
+}
+
+/** @typedef {Exclude<Bytes, Uint8Array | ArrayBuffer>} Source */
+
+/** @param {Source} source */
+const allOf = async (source) => new OpenFile(isStream(source) ? (await collected(source)).joined()
+  : new Uint8Array(await source.arrayBuffer()));
+
+/** The first bytes of what the core reads in blocks, with the way to the others; all bytes of what
+ * it does not. @param {Source} source */
+async function beginOf(source) {
+  if (isStream(source)) return (await collected(source)).open();
+  const begin = new Uint8Array(await source.slice(0, bytesLooked).arrayBuffer());
+  if (begin.length === source.size) return new OpenFile(begin);
+  return isReadInBlocks(begin, source.size)
+    ? new OpenFile(begin, { blob: source, size: source.size }) : allOf(source);
+}
+
+/** @param {unknown} value @param {string} label @param {(source: Source) => Promise<OpenFile>} open
  * @returns {Promise<OpenFile>} */
 async function openBytes(value, label, open) {
   if (!isBytes(value)) {
     throw new RemeshError('PARSE_ERROR',
-      `${label} must be a Uint8Array, an ArrayBuffer or a Blob.`);
+      `${label} must be a Uint8Array, an ArrayBuffer, a Blob or a stream of bytes.`);
   }
   try {
     if (value instanceof OpenFile) return value;
@@ -277,5 +310,7 @@ function outputName(name, output) {
 
 /** @param {FileRequest} file @returns {ArrayBuffer[]} */
 export function fileBuffers(file) {
-  return [file, ...file.resources].map(({ bytes }) => /** @type {ArrayBuffer} */ (bytes.buffer));
+  const arrays = [file, ...file.resources].map(({ bytes }) => bytes);
+  return [...arrays, ...file.handle?.pieces ?? []].map(({ buffer }) =>
+    /** @type {ArrayBuffer} */ (buffer));
 }

@@ -3,8 +3,8 @@
 
 /**
  * How the bytes of a file that is read in blocks are reached, in this thread and in its workers: by
- * the number of an open file in Node, or by a Blob.
- * @typedef {{ size: number } & ({ fd: number, blob?: undefined } | { blob: Blob, fd?: undefined })}
+ * the number of an open file in Node, by a Blob, or in pieces (pieces.js).
+ * @typedef {{ size: number, fd?: number, blob?: Blob, pieces?: Uint8Array<ArrayBuffer>[] }}
  *   FileHandle
  */
 

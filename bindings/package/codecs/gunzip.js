@@ -5,6 +5,7 @@
 import { RemeshError } from '../base/errors.js';
 import { withoutGz } from '../base/formats.js';
 import { legible } from '../base/legible.js';
+import { Pieces } from '../base/pieces.js';
 
 /** @typedef {import('../base/messages.js').FileRequest} FileRequest */
 /** @typedef {import('../base/messages.js').NamedBytes} NamedBytes */
@@ -18,33 +19,35 @@ export function isGzip(bytes) {
     && (bytes[3] & 0xe0) === 0;
 }
 
-/** @param {Uint8Array[]} pieces @param {number} length */
-function joined(pieces, length) {
-  const whole = new Uint8Array(length);
-  let at = 0;
-  for (const piece of pieces) {
-    whole.set(piece, at);
-    at += piece.length;
-  }
-  return whole;
-}
-
-/** @param {NamedBytes} file @param {number} limit */
+/** @param {NamedBytes} file @param {number} limit @returns {Promise<Pieces>} */
 async function inflate({ name, bytes }, limit) {
   const source = new Blob([/** @type {BlobPart} */ (bytes)]).stream();
   const reader = source.pipeThrough(new DecompressionStream('gzip')).getReader();
-  const pieces = [];
-  let length = 0;
+  const pieces = new Pieces();
   for (let step = await reader.read(); !step.done; step = await reader.read()) {
-    pieces.push(step.value);
-    length += step.value.length;
-    if (length <= limit) continue;
+    pieces.add(step.value);
+    if (pieces.size <= limit) continue;
     await reader.cancel().catch(() => {});
     throw new RemeshError('UNSUPPORTED',
       `${legible(name)}: it unpacks to more than ${limit} bytes, which is the limit.`,
       'Unpack it first, and give a smaller model.');
   }
-  return joined(pieces, length);
+  return pieces;
+}
+
+/** @param {NamedBytes} file @param {number} limit @returns {Promise<Pieces>} */
+async function unpacked(file, limit) {
+  if (typeof DecompressionStream === 'undefined') {
+    throw new RemeshError('UNSUPPORTED', `${legible(file.name)}: this browser cannot unpack gzip.`,
+      'Unpack the file first.');
+  }
+  try {
+    return await inflate(file, limit);
+  } catch (cause) {
+    if (cause instanceof RemeshError) throw cause;
+    throw new RemeshError('PARSE_ERROR', `${legible(file.name)}: its gzip is damaged or cut short.`,
+      'Was it copied completely?', { cause });
+  }
 }
 
 /**
@@ -55,26 +58,18 @@ async function inflate({ name, bytes }, limit) {
  */
 export async function gunzip(file, limit = largestInflated) {
   if (!isGzip(file.bytes)) return file;
-  if (typeof DecompressionStream === 'undefined') {
-    throw new RemeshError('UNSUPPORTED', `${legible(file.name)}: this browser cannot unpack gzip.`,
-      'Unpack the file first.');
-  }
-  try {
-    return { name: withoutGz(file.name), bytes: await inflate(file, limit) };
-  } catch (cause) {
-    if (cause instanceof RemeshError) throw cause;
-    throw new RemeshError('PARSE_ERROR', `${legible(file.name)}: its gzip is damaged or cut short.`,
-      'Was it copied completely?', { cause });
-  }
+  return { name: withoutGz(file.name), bytes: (await unpacked(file, limit)).joined() };
 }
 
 /**
- * A file and what it refers to, all unpacked.
+ * A file and what it refers to, all unpacked; what the core reads in blocks stays in pieces.
  * @param {FileRequest} file
  * @returns {Promise<FileRequest>}
  */
 export async function gunzipAll(file) {
   const resources = [];
   for (const resource of file.resources) resources.push(await gunzip(resource));
-  return { ...file, ...await gunzip(file), resources };
+  if (!isGzip(file.bytes)) return { ...file, resources };
+  const pieces = await unpacked(file, largestInflated);
+  return { ...file, name: withoutGz(file.name), ...pieces.open(), resources };
 }

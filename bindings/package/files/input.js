@@ -10,6 +10,7 @@ import { bytesLooked, isReadInBlocks } from '../base/contents.js';
 import { RemeshError } from '../base/errors.js';
 import { legible } from '../base/legible.js';
 import { OpenFile } from '../base/open_file.js';
+import { Pieces } from '../base/pieces.js';
 import { codeOf, kindOf, reason } from './reasons.js';
 
 // Bytes of a file that is read whole: more than a run can use of WebAssembly's memory.
@@ -46,18 +47,16 @@ async function pieceOf(handle) {
  * @param {string} path
  */
 async function drain(handle, path) {
-  const chunks = [];
-  let length = 0;
+  const pieces = new Pieces();
   for (let isJoined = false, waited = 0; ;) {
     const piece = await pieceOf(handle);
     isJoined ||= piece?.length !== 0;
     if (piece?.length) {
-      length += piece.length;
-      if (length > largest) throw tooLarge(path);
-      chunks.push(piece);
+      pieces.add(piece);
+      if (pieces.size > largest) throw tooLarge(path);
       continue;
     }
-    if (piece && isJoined) return Buffer.concat(chunks, length);
+    if (piece && isJoined) return pieces.open();
     if (!isJoined && waited >= patience) {
       throw unreadable(path, 'it is a pipe, and no program writes into it',
         'Start that program first.');
@@ -124,7 +123,7 @@ async function beginOf(handle, most) {
 async function contentOf(handle, path) {
   const stats = await handle.stat(); // it may have been exchanged
   requireReadable(stats, path);
-  if (!stats.isFile()) return new OpenFile(Uint8Array.from(await drain(handle, path)));
+  if (!stats.isFile()) return drain(handle, path);
   const begin = await beginOf(handle, Math.min(stats.size, bytesLooked));
   if (isReadInBlocks(begin, stats.size)) {
     return new OpenFile(begin, { fd: handle.fd, size: stats.size });

@@ -7,6 +7,7 @@ import { isGltf } from '../base/contents.js';
 import { RemeshError } from '../base/errors.js';
 import { legible } from '../base/legible.js';
 import { inModelUnits, unitOf } from '../base/lengths.js';
+import { blocksOfPieces } from '../base/pieces.js';
 import { withoutPresetBaking } from '../base/presets.js';
 
 /** @typedef {import('../base/messages.js').FileRequest} FileRequest */
@@ -84,6 +85,8 @@ function meshLike(mesh, model) {
 }
 
 /** @typedef {import('../base/open_file.js').BlocksOf} BlocksOf */
+/** @typedef {import('../base/open_file.js').FileHandle} FileHandle */
+/** @typedef {import('../base/open_file.js').ReadBlock} ReadBlock */
 
 /**
  * What an engine has of its platform.
@@ -101,24 +104,54 @@ async function allOf(name, blob) {
   }
 }
 
+/** Told how far the run is, it says whether the run goes on.
+ * @typedef {((phase: string, fraction: number) => boolean) | undefined} Ask */
+
+/** Told which share of a file is read, it says whether reading goes on.
+ * @typedef {(share: number) => boolean} OnRead */
+
+/** The share of a run's time that reading its file takes: src/jobs/run_guards.h has the same
+ * numbers. A conversion tells of nothing else.
+ * @type {Partial<Record<Job['kind'], number>>} */
+const readShares = { inspectFile: 0.2, convertFile: 1 };
+const usualReadShare = 0.05;
+
+/** Blocks that tell how much of them is read.
+ * @param {FileHandle} handle @param {ReadBlock} read @param {OnRead} onRead
+ * @returns {{ size: number, read: ReadBlock }} */
+function watched({ size }, read, onRead) {
+  return { size, read: (at, into) => read(at, into) && onRead((at + into.length) / size) };
+}
+
 /** The file as the instance takes it: with the way to its blocks, if it is read in blocks; with all
  * bytes of a Blob that this thread cannot read in blocks.
- * @param {FileRequest} file @param {BlocksOf | undefined} blocksOf
+ * @param {FileRequest} file @param {BlocksOf | undefined} blocksOf @param {OnRead} onRead
  * @returns {Promise<FileRequest>} */
-async function reachable(file, blocksOf) {
+async function reachable(file, blocksOf, onRead) {
   const { handle } = file;
   if (!handle) return file;
-  const read = blocksOf?.(handle);
-  if (read) return { ...file, blocks: { size: handle.size, read } };
+  const { pieces, size } = handle;
+  const read = pieces ? blocksOfPieces({ pieces, size }) : blocksOf?.(handle);
+  if (read) return { ...file, blocks: watched(handle, read, onRead) };
   return { ...file, bytes: await allOf(file.name, /** @type {Blob} */ (handle.blob)) };
 }
 
-/** @param {Job} job @param {BlocksOf | undefined} blocksOf @returns {Promise<Job>} */
-async function withBlocks(job, blocksOf) {
-  if ('file' in job) return { ...job, file: await reachable(job.file, blocksOf) };
+/** @param {Job} job @param {BlocksOf | undefined} blocksOf @param {Ask} ask
+ * @returns {Promise<Job>} */
+async function withBlocks(job, blocksOf, ask) {
+  const share = readShares[job.kind] ?? usualReadShare;
+  if ('file' in job) {
+    let read = 0;
+    return { ...job, file: await reachable(job.file, blocksOf, (part) => {
+      read = Math.max(read, part);  // some formats are gone through twice
+      return ask?.('read', share * read) ?? true;
+    }) };
+  }
   if (!('files' in job)) return job;
   const [a, b] = job.files;
-  return { ...job, files: [await reachable(a, blocksOf), await reachable(b, blocksOf)] };
+  const goOn = () => true;
+  return { ...job,
+    files: [await reachable(a, blocksOf, goOn), await reachable(b, blocksOf, goOn)] };
 }
 
 /**
@@ -166,7 +199,7 @@ function call(instance, job, ask) {
         ? instance.inspectClosely(withList(job.mesh), job.closely)
         : instance.inspect(withList(job.mesh));
     default:
-      return instance.inspectFile(job.file, job.faults ?? false);
+      return instance.inspectFile(job.file, job.faults ?? false, ask);
   }
 }
 
@@ -379,7 +412,7 @@ export class Engine {
     const instance = await this.#start();
     const ask = onProgress && ((/** @type {string} */ phase, /** @type {number} */ fraction) =>
       onProgress({ phase, fraction }) !== false);
-    const outcome = this.#call(instance, await withBlocks(job, this.#codecs.blocksOf), ask);
+    const outcome = this.#call(instance, await withBlocks(job, this.#codecs.blocksOf, ask), ask);
     if (instance.HEAPU8.length > keptMemory) this.#instance = undefined;
     if (outcome.error) {
       throw new RemeshError(outcome.error.code, outcome.error.message, outcome.error.hint);
