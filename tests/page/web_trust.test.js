@@ -8,14 +8,12 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { brotliCompressSync, constants } from 'node:zlib';
 
-import { BufferAttribute, BufferGeometry } from 'three';
-
 import { timeLeft } from '../../web/base/format.js';
-import { fewerTriangles } from '../../web/triangles/fewer_triangles.js';
-import { allCorners, thin } from '../../web/triangles/thinning.js';
+import { glbOf, openGlb } from '../../web/files/glb.js';
+import { countIn, thinnedGlb } from '../../web/view/thinned_glb.js';
 import { drop, opened, settled, visit } from '../support/browser_page.js';
 import { builtPage } from '../support/built_page.js';
-import { objText, torus } from '../support/shape_files.js';
+import { gltfParts, objText, torus } from '../support/shape_files.js';
 import { filesUnder, root } from '../support/tree.js';
 
 const folder = await builtPage();
@@ -118,20 +116,57 @@ test('leaving asks when a result of one’s own file was not taken home', async 
   assert.equal(await asks(), false, 'it was taken home');
 });
 
+/** A GLB with a torus in two places, a colour for each vertex, and the bytes of an image. */
+function colouredTorus(mesh) {
+  const { json, buffer } = gltfParts(mesh);
+  const colours = Buffer.alloc(4 * mesh.positions.length);
+  mesh.positions.forEach((_, v) => colours.writeUInt16LE(v, 4 * v));
+  const image = Buffer.from('an image');
+  const [before, middle] = [buffer.length, buffer.length + colours.length];
+  json.nodes.push({ mesh: 0, translation: [9, 0, 0] });
+  json.scenes[0].nodes.push(1);
+  json.images = [{ mimeType: 'image/png', bufferView: 3 }];
+  json.bufferViews.push(
+    { buffer: 0, byteOffset: before, byteLength: colours.length, byteStride: 4 },
+    { buffer: 0, byteOffset: middle, byteLength: image.length });
+  json.accessors.push({ bufferView: 2, componentType: 5121, normalized: true, type: 'VEC3',
+    count: mesh.positions.length });
+  json.meshes[0].primitives[0].attributes.COLOR_0 = 2;
+  json.buffers[0].byteLength += colours.length + image.length;
+  return glbOf(json, [buffer, colours, image]);
+}
+
 test('what is drawn is a part of the triangles, spread over all of them', async () => {
-  const { positions, triangles } = torus(120, 40);
-  const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(Float32Array.from(positions.flat()), 3));
-  geometry.setIndex(triangles.flat());
-  const { shown, all } = await thin([geometry, geometry],  // in two places
-    { most: 4000, fewerOf: fewerTriangles });
-  assert.equal(all, 2 * triangles.length);
-  assert.equal(shown, 2 * geometry.index.count / 3);
-  assert.ok(shown > 2000 && shown <= 4000, `${shown}`);
-  assert.deepEqual([...allCorners(geometry)], triangles.flat());
-  const drawn = new Set(geometry.index.array);
-  const far = positions.filter((place) => ![...drawn].some((v) =>
-    Math.hypot(...positions[v].map((x, k) => x - place[k])) < 0.3));
+  const mesh = torus(120, 40);
+  const glb = colouredTorus(mesh);
+  const { all, isPlain } = countIn(openGlb(glb).tree);
+  assert.deepEqual([all, isPlain], [2 * mesh.triangles.length, true]);
+  const { bytes, thinned, parts: [{ kept, vertices }], wholes: [whole] } =
+    await thinnedGlb(glb, 4000);
+  assert.equal(thinned.all, all);
+  assert.ok(thinned.shown > 2000 && thinned.shown <= 4000, `${thinned.shown}`);
+  assert.deepEqual([...whole.corners], mesh.triangles.flat());
+  assert.equal(vertices, mesh.positions.length);
+  const { tree, binary } = openGlb(bytes);
+  const [{ primitives: [{ attributes, indices, extras }] }] = tree.meshes;
+  assert.equal(extras.whole, 0);
+  const viewOf = (accessor) => tree.bufferViews[tree.accessors[accessor].bufferView];
+  const at = (accessor) => binary.byteOffset + viewOf(accessor).byteOffset;
+  const places = new Float32Array(binary.buffer, at(attributes.POSITION), 3 * kept.length);
+  const colours = new DataView(binary.buffer, at(attributes.COLOR_0), 4 * kept.length);
+  kept.forEach((v, i) => {
+    assert.deepEqual([...places.subarray(3 * i, 3 * i + 3)], mesh.positions[v].map(Math.fround));
+    assert.equal(colours.getUint16(4 * i, true), v);
+  });
+  const { count } = tree.accessors[indices];
+  assert.equal(2 * count / 3, thinned.shown);
+  assert.equal(Math.max(...new Uint32Array(binary.buffer, at(indices), count)), kept.length - 1);
+  assert.ok(tree.accessors[attributes.NORMAL].count === kept.length);
+  const { byteOffset, byteLength } = tree.bufferViews[tree.images[0].bufferView];
+  assert.equal(Buffer.from(binary.subarray(byteOffset, byteOffset + byteLength)).toString(),
+    'an image');
+  const far = mesh.positions.filter((place) => ![...kept].some((v) =>
+    Math.hypot(...mesh.positions[v].map((x, k) => x - place[k])) < 0.3));
   assert.deepEqual(far, []);
 });
 

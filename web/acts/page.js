@@ -27,8 +27,10 @@ export class Page {
   #jobs = 0;
   /** @type {State} */
   #state = 'idle';
-  /** When the state began, in milliseconds. */
+  /** When the run began, in milliseconds. */
   #begun = 0;
+  /** How far it is. */
+  #fraction = 0;
 
   /** @param {ConstructorParameters<typeof Panel>[1] & { onStroke: () => void }} formActs */
   constructor(formActs) {
@@ -43,6 +45,8 @@ export class Page {
   #onProgress(event) {
     if (this.#state !== 'busy') return;
     const { phase, fraction } = event;
+    if (fraction < this.#fraction) this.#begun = performance.now();  // of another run
+    this.#fraction = fraction;
     showProgress({ phase: textIfAny(`phase.${phase}`) ?? words(phase), fraction },
       timeLeft(performance.now() - this.#begun, fraction));
   }

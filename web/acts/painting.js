@@ -27,7 +27,8 @@ export class Painting {
   #onStroke;
   /** @type {Dab[]} */
   #dabs = [];
-  /** Vertex positions of the original on the stage. @type {Float32Array | null} */
+  /** Vertex positions of the original on the stage, null until needed.
+   * @type {Float32Array | null} */
   #shownAt = null;
   #levels = new Float32Array();
   /** Vertex positions in the core's order, null until needed. @type {Float32Array | null} */
@@ -59,7 +60,7 @@ export class Painting {
 
   /** A new original is on the stage: dabs painted on it before are restored. */
   begin() {
-    this.#shownAt = this.#page.stage.viewer?.view('original')?.soup().positions ?? null;
+    this.#shownAt = null;
     this.#countedAt = null;
     this.#page.pen.take(null);
     const kept = paint.recall();
@@ -71,14 +72,23 @@ export class Painting {
     this.#dabs = [...dabs];
     if (dabs.length) paint.remember(JSON.stringify({ key: this.#key, dabs }));
     else if (this.#key) paint.remember(null);
-    if (!this.#shownAt) return;
-    this.#levels = levelsOf(this.#shownAt, dabs);
+    void this.#measure();
+  }
+
+  /** Finds the levels of what is on the stage, if anything is painted or about to be. */
+  async #measure() {
+    const { stage } = this.#page;
+    const view = stage.viewer?.view('original');
+    if (!view || (!this.#dabs.length && stage.shading !== 'density')) return;
+    const places = this.#shownAt ?? (await view.soup()).positions;
+    if (view !== stage.viewer?.view('original')) return;
+    this.#shownAt = places;
+    this.#levels = levelsOf(places, this.#dabs);
     this.#showLevels();
   }
 
   #showLevels() {
     const { stage } = this.#page;
-    if (!this.#dabs.length && stage.shading !== 'density') return;
     stage.viewer?.view('original')?.setColors('density', (vertex, color) =>
       densityColor(0.5 + this.#levels[vertex] / (2 * largestLevel), color));
     stage.setShading(stage.shading);
@@ -93,7 +103,7 @@ export class Painting {
     pen.take(this.#tool);
     showBrush({ onClear: () => this.#clear(), onDone: () => pen.take(null) });
     stage.setShading('density');
-    this.#showLevels();
+    void this.#measure();
     stage.bringIntoView();
   }
 
@@ -119,7 +129,7 @@ export class Painting {
       if (this.#shownAt) applyDab(this.#levels, this.#shownAt, one);
     }
     this.#isChanged = true;
-    this.#showLevels();
+    if (this.#shownAt) this.#showLevels();
   }
 
   #endStroke() {

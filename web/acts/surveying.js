@@ -58,6 +58,11 @@ export class Surveying {
   /** The sides of the original's bounding box. @type {Vector3 | null} */
   extent = null;
 
+  /** The corners of an original of flat sides; 0 of another, or if they are not known. */
+  get corners() {
+    return this.#edges?.corners ?? 0;
+  }
+
   get diagonal() {
     return this.extent?.length() || 1;
   }
@@ -100,9 +105,9 @@ export class Surveying {
     const { session, stage: { viewer } } = this.#page;
     if (side !== 'baseline') this.distances = null;
     const view = viewer?.view(side);
-    const soup = view?.soup() ?? null;
+    const soup = await view?.soup() ?? null;
     // Finding the edges of what is too large to be drawn whole takes as long as opening it.
-    const isAsked = soup?.indices.length && !view?.thinned
+    const isAsked = soup?.indices.length && !view?.thinning
       && (side === 'original' || soup.polygons);
     // The core copies what it is asked about before the worker gets it.
     const finding = isAsked ? session.edgesOf(soup) : null;
@@ -148,7 +153,7 @@ export class Surveying {
       patience);
     try {
       const whole = this.#page.stage.viewer?.view('original');
-      const edges = whole?.thinned ? await session.edgesOf(whole.soup()) : null;
+      const edges = whole?.thinning ? await session.edgesOf(await whole.soup()) : null;
       if (edges && isCurrent()) await this.#showEdges(edges);
       const faults = await session.faults();
       if (isCurrent()) this.#setFaults(faults, null);

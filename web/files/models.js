@@ -4,7 +4,7 @@ import { inWords, isGltf, isObj, readFormats, withoutGz } from 'remesher/formats
 import { gunzip, isGzip } from 'remesher/gunzip';
 import { t } from '../base/i18n.js';
 import { baseName, extensionOf, PageError } from './files.js';
-import { openGlb } from './glb.js';
+import { treeOf } from './glb.js';
 
 /** @typedef {import('./files.js').NamedBytes} NamedBytes */
 /** @typedef {import('./files.js').PathedFile} PathedFile */
@@ -25,40 +25,83 @@ async function read({ path, file }) {
 /** Bytes that tell the kind of a file. */
 const looked = 65536;
 
-/** Formats whose files name no others: only the package reads them, block by block. */
+/** Formats whose files name no others. */
 const alone = ['ply', 'stl', 'off'];
 
-/** Opens a model; scans can be too large to be read here.
+/** Whether a file is an OBJ, or a library of one: what the bytes are decides, as in the package.
+ * @param {string} name @param {Uint8Array} bytes its first */
+function isObjText(name, bytes) {
+  const extension = extensionOf(name);
+  return extension === 'mtl' || (!isGltf(bytes) && (extension === 'obj' || isObj(bytes)));
+}
+
+/** The first bytes of a file; of a .gz, those of what is packed. @param {File} file */
+async function beginOf(file) {
+  const begin = new Uint8Array(await file.slice(0, looked).arrayBuffer());
+  const isPacked = isGzip(begin);
+  if (!isPacked) return { begin, isPacked };
+  try {
+    const reader = file.stream().pipeThrough(new DecompressionStream('gzip')).getReader();
+    const { value = begin } = await reader.read();
+    await reader.cancel();
+    return { begin: value.slice(0, looked), isPacked };
+  } catch {
+    return { begin, isPacked };  // the package reports the error
+  }
+}
+
+/** Opens a model. Scans can be too large to be read here: only the package, which reads them block
+ * by block in its worker, needs all of a file that names no others, and of an OBJ.
  * @param {PathedFile} item @returns {Promise<Omit<Model, 'resources'>>} */
 async function openModel(item) {
   const { path, file } = item;
-  const begin = new Uint8Array(await file.slice(0, looked).arrayBuffer());
-  if (alone.includes(extensionOf(path)) && !isGltf(begin) && !isObj(begin) && !isGzip(begin)) {
-    return { name: path, bytes: begin, content: file, size: file.size };
+  const { begin, isPacked } = await beginOf(file);
+  const name = isPacked ? withoutGz(path) : path;
+  const isAlone = alone.includes(extensionOf(name)) && !isGltf(begin) && !isObj(begin);
+  if (isAlone || (!isPacked && isObjText(name, begin))) {
+    return { name, bytes: begin, content: file, size: file.size };
   }
-  const { name, bytes } = await read(item);
-  return { name, bytes, content: bytes, size: bytes.length };
+  const { bytes } = await read(item);
+  return { name, bytes, content: isPacked ? bytes : file, size: bytes.length };
 }
 
-/** The files named inside a model: buffers and images of a glTF, the libraries of an OBJ. What the
- * bytes are decides, as in the package.
- * @param {string} extension @param {Uint8Array} bytes @returns {string[]} */
-export function referencesOf(extension, bytes) {
-  if (extension === 'mtl' || (!isGltf(bytes) && (extension === 'obj' || isObj(bytes)))) {
-    const text = new TextDecoder().decode(bytes);
-    // trim() is separate: matching blanks at both ends would take time quadratic in their number.
-    const lines = text.matchAll(/^[ \t]*(?:mtllib|map_\w+|bump)[ \t](.*)$/gim);
-    return Array.from(lines, ([, words]) => words.trim().split(/\s+/).pop() ?? '');
-  }
+/** @param {string} text of an OBJ or of a library */
+function namesIn(text) {
+  // trim() is separate: matching blanks at both ends would take time quadratic in their number.
+  const lines = text.matchAll(/^[ \t]*(?:mtllib|map_\w+|bump)[ \t](.*)$/gim);
+  return Array.from(lines, ([, words]) => words.trim().split(/\s+/).pop() ?? '');
+}
+
+/** The files named inside a model: buffers and images of a glTF, the libraries of an OBJ.
+ * @param {string} name @param {Uint8Array} bytes @returns {string[]} */
+export function referencesOf(name, bytes) {
+  if (isObjText(name, bytes)) return namesIn(new TextDecoder().decode(bytes));
   if (!isGltf(bytes)) return [];
   try {
-    const isBinary = bytes[0] === 'g'.charCodeAt(0);
-    const gltf = isBinary ? openGlb(bytes).tree : JSON.parse(new TextDecoder().decode(bytes));
+    const gltf = treeOf(bytes);
     const uris = [...(gltf.buffers ?? []), ...(gltf.images ?? [])].map((item) => item?.uri);
     return uris.filter((uri) => typeof uri === 'string' && !uri.startsWith('data:'));
   } catch {
     return [];  // the reader reports the error better
   }
+}
+
+/** Bytes of an OBJ that are searched at once, so that the page can react. */
+const portion = 2 ** 20;
+
+/** @param {Blob} file an OBJ @returns {Promise<string[]>} */
+async function namesInLong(file) {
+  const decoder = new TextDecoder();
+  const names = [];
+  let rest = '';
+  for (let at = 0; at < file.size; at += portion) {
+    const bytes = await file.slice(at, at + portion).arrayBuffer();
+    const text = rest + decoder.decode(bytes, { stream: true });
+    const end = Math.max(text.lastIndexOf('\n'), text.lastIndexOf('\r')) + 1;
+    names.push(...namesIn(text.slice(0, end)));
+    rest = text.slice(end, end + portion);
+  }
+  return [...names, ...namesIn(rest)];
 }
 
 /** The file name that a reference encodes. @param {string} reference */
@@ -80,21 +123,24 @@ function likeness(path, reference) {
 }
 
 /** Reads only the files that the model refers to, and gives each the name that the model uses.
- * @param {NamedBytes} model @param {PathedFile[]} others @returns {Promise<NamedBytes[]>} */
+ * @param {Omit<Model, 'resources'>} model @param {PathedFile[]} others
+ * @returns {Promise<NamedBytes[]>} */
 async function resourcesOf(model, others) {
   /** @type {Map<string, NamedBytes>} */
   const found = new Map();
-  const visit = async (/** @type {NamedBytes} */ file) => {
-    for (const reference of referencesOf(extensionOf(file.name), file.bytes)) {
+  const add = async (/** @type {string[]} */ references) => {
+    for (const reference of references) {
       const fits = others.map((other) => ({ other, fit: likeness(other.path, reference) }));
       const best = fits.sort((a, b) => b.fit - a.fit)[0];
       if (!best?.fit || found.has(reference)) continue;
       const { name, bytes } = await read(best.other);
       found.set(reference, { name: reference, bytes });
-      await visit({ name, bytes });
+      await add(referencesOf(name, bytes));
     }
   };
-  await visit(model);
+  const { name, bytes, content } = model;
+  const isLong = content instanceof Blob && isObjText(name, bytes);
+  if (others.length) await add(isLong ? await namesInLong(content) : referencesOf(name, bytes));
   return [...found.values()];
 }
 

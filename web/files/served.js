@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Models on the page's own server: samples, and files named in the page's address.
 import { t } from '../base/i18n.js';
-import { baseName, extensionOf, PageError, pathedFile } from './files.js';
+import { baseName, PageError, pathedFile } from './files.js';
 import { referencesOf } from './models.js';
 
 /** @typedef {import('./files.js').PathedFile} PathedFile */
@@ -23,7 +23,7 @@ export async function servedFiles(path) {
   }
   const content = await load(url);
   if (!content) throw new PageError(t('error.notServed', { name }), t('error.notServed.hint'));
-  const references = referencesOf(extensionOf(name), new Uint8Array(content));
+  const references = referencesOf(name, new Uint8Array(content));
   const beside = await Promise.all(references.map(async (reference) => {
     const found = await load(new URL(reference, url));
     return found && pathedFile(baseName(reference), found);

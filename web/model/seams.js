@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Whether the textures of a glTF model lie in so many pieces that their seams would hold most of
 // the vertices of a lighter one: then new textures are painted.
-import { openGlb } from '../files/glb.js';
+import { treeOf } from '../files/glb.js';
 
 /** Stored vertices for each distinct position: a model of few clean charts has hardly more. */
 const many = 1.2;
-
-/** @param {Uint8Array} bytes */
-function treeOf(bytes) {
-  const isBinary = bytes[0] === 'g'.charCodeAt(0);
-  return isBinary ? openGlb(bytes).tree : JSON.parse(new TextDecoder().decode(bytes));
-}
 
 /** @param {Uint8Array} bytes of a glTF file @param {number} vertices its distinct positions */
 export function hasManySeams(bytes, vertices) {

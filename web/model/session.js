@@ -58,7 +58,8 @@ export class Session {
    * @returns a report, and a signal that is aborted when the opening is cancelled or overtaken */
   async open(model, source) {
     const signal = this.#begin();
-    const report = await inspect(model.content, { ...describe(model), signal });
+    const report = await inspect(model.content,
+      { ...describe(model), signal, onProgress: this.#onProgress });
     Object.assign(this, { model, source, inspection: report, results: [], shown: null,
       baseline: null, isUnsaved: false });
     this.#runs = 0;
@@ -92,17 +93,20 @@ export class Session {
    * @param {'direct' | 'converted'} way */
   async originalAsGltf(way) {
     if (way === 'direct' && this.isGltf) return this.#opened();
-    return { bytes: (await this.converted('glb')).bytes, resources: [] };
+    return { bytes: (await this.converted('glb', this.#onProgress)).bytes, resources: [],
+      isOwned: true };
   }
 
   get isGltf() {
     return isGltf(this.#opened().bytes);
   }
 
-  /** The model in another format. @param {string} output */
-  converted(output) {
+  /** The model in another format. @param {string} output
+   * @param {(event: ProgressEvent) => void} [onProgress] */
+  converted(output, onProgress) {
     const model = this.#opened();
-    return convertFile(model.content, { ...describe(model), output, signal: this.#stay.signal });
+    return convertFile(model.content,
+      { ...describe(model), output, onProgress, signal: this.#stay.signal });
   }
 
   #opened() {

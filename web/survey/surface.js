@@ -10,15 +10,22 @@ import { MeshBVH } from 'three-mesh-bvh';
  * @typedef {{ distance: number, point: Point, nearest: Point }} Place */
 
 export class Surface {
-  #tree;
+  /** @type {MeshBVH | undefined} */
+  #made;
 
   /** @param {Soup} soup */
   constructor(soup) {
     this.soup = soup;
+  }
+
+  /** Made when it is first needed: of millions of triangles it takes seconds. */
+  get #tree() {
+    if (this.#made) return this.#made;
     const geometry = new BufferGeometry()
-      .setAttribute('position', new BufferAttribute(soup.positions, 3))
-      .setIndex(new BufferAttribute(soup.indices, 1));
-    this.#tree = new MeshBVH(geometry, { indirect: true });
+      .setAttribute('position', new BufferAttribute(this.soup.positions, 3))
+      .setIndex(new BufferAttribute(this.soup.indices, 1));
+    this.#made = new MeshBVH(geometry, { indirect: true });
+    return this.#made;
   }
 
   /** @param {Vector3} point */

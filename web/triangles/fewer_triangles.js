@@ -7,9 +7,8 @@ import { MeshoptSimplifier } from 'meshoptimizer/simplifier';
  * @typedef {{ positions: Float32Array, corners: Uint32Array, wanted: number,
  *   needsNormals: boolean }} Surface */
 
-/** corners: as they came; drawn: of the fewer triangles; normals: of all vertices, if they were
- * needed.
- * @typedef {{ corners: Uint32Array, drawn: Uint32Array, normals: Float32Array | null }} Fewer */
+/** drawn: corners of the fewer triangles; normals: of all vertices, if they were needed.
+ * @typedef {{ drawn: Uint32Array, normals: Float32Array | null }} Fewer */
 
 /** Unit normals at the vertices: the sums of the area vectors of the triangles around them.
  * @param {Surface} surface */
@@ -38,5 +37,5 @@ export async function fewerTriangles(surface) {
   const { positions, corners, wanted, needsNormals } = surface;
   await MeshoptSimplifier.ready;
   const [drawn] = MeshoptSimplifier.simplifySloppy(corners, positions, 3, null, wanted, 1);
-  return { corners, drawn, normals: needsNormals ? normalsOf(surface) : null };
+  return { drawn, normals: needsNormals ? normalsOf(surface) : null };
 }

@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: MIT
 // Quads and other polygons of a triangle geometry: by FB_ngon_encoding, consecutive triangles with
 // the same first corner are one polygon. Corner 3 t + i is corner i of triangle t.
-import { allCorners } from './thinning.js';
 
 /** The first triangle of each polygon, then the number of all triangles.
  * @typedef {Uint32Array} Polygons */
 /** Irregular vertices, where other than four quads meet; places: three numbers each.
  * @typedef {{ places: Float32Array, valences: number[] }} Irregular */
 
-/** Null if the file has triangles only, or if not all triangles are drawn.
+/** Null if the file has triangles only.
  * @param {import('three').Mesh} mesh as the loader makes it @returns {Polygons | null} */
 export function polygonsOf({ userData, geometry }) {
   const { index } = geometry;
   const isTold = userData.gltfExtensions?.FB_ngon_encoding;
-  if (!isTold || !index || geometry.userData.allCorners) return null;
+  if (!isTold || !index) return null;
   const corners = index.array;
   const firsts = [];
   for (let i = 0; i < corners.length; i += 3) {
@@ -42,7 +41,7 @@ export function forEachPolygon(polygons, visit) {
 /** The edges of polygons, each once, as pairs of corners.
  * @param {import('three').BufferGeometry} geometry @param {Polygons} polygons */
 export function outlineOf(geometry, polygons) {
-  const vertices = /** @type {ArrayLike<number>} */ (allCorners(geometry));
+  const vertices = /** @type {ArrayLike<number>} */ (geometry.index?.array);
   // The edges with the same lower end vertex form a linked list, latest first.
   const latest = new Int32Array(geometry.attributes.position.count).fill(-1);
   /** @type {number[]} */

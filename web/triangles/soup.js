@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // All triangles of a scene in world coordinates, as arrays that can be sent to a worker.
 import { positionsOf } from './positions.js';
-import { allCorners, cornerCount } from './thinning.js';
 
 /** Three coordinates a vertex, three vertices a triangle; polygons: null if there are none.
  * @typedef {{ positions: Float32Array, indices: Uint32Array,
@@ -15,7 +14,7 @@ function allPolygons(geometries) {
   const firsts = [];
   let triangle = 0;
   for (const geometry of geometries) {
-    const count = cornerCount(geometry) / 3;
+    const count = (geometry.index ?? geometry.attributes.position).count / 3;
     const own = geometry.userData.polygons ?? Uint32Array.from({ length: count + 1 }, (_, i) => i);
     for (let k = 0; k + 1 < own.length; ++k) firsts.push(triangle + own[k]);
     triangle += count;
@@ -34,28 +33,29 @@ function move(from, to, [a, b, c, , d, e, f, , g, h, i, , x, y, z]) {
   }
 }
 
-/** @param {import('three').Mesh[]} meshes
- * @param {{ isDrawn?: boolean }} [how] isDrawn: only the triangles that are drawn, no polygons
- * @returns {Soup} */
-export function soupOf(meshes, { isDrawn = false } = {}) {
-  const cornersOf = (/** @type {import('three').BufferGeometry} */ geometry) =>
-    (isDrawn ? geometry.index?.array ?? null : allCorners(geometry));
-  const counts = meshes.map(({ geometry }) => ({ vertices: geometry.attributes.position.count,
-    corners: cornersOf(geometry)?.length ?? cornerCount(geometry) }));
-  const sum = (/** @type {'vertices' | 'corners'} */ key) =>
-    counts.reduce((total, count) => total + count[key], 0);
-  const positions = new Float32Array(3 * sum('vertices'));
-  const indices = new Uint32Array(sum('corners'));
-  let vertex = 0, corner = 0;
-  for (const [i, { geometry, matrixWorld }] of meshes.entries()) {
-    const { vertices, corners } = counts[i];
-    const own = cornersOf(geometry);
-    for (let k = 0; k < corners; ++k) indices[corner + k] = vertex + (own ? own[k] : k);
-    move(positionsOf(geometry), positions.subarray(3 * vertex, 3 * (vertex + vertices)),
-      matrixWorld.elements);
-    vertex += vertices;
-    corner += corners;
+/** Surfaces, each with its matrix, as one: three numbers a vertex; null: corner i is vertex i.
+ * @param {{ positions: Float32Array, corners: ArrayLike<number> | null, matrix: number[] }[]} all
+ * @returns {{ positions: Float32Array, indices: Uint32Array }} */
+export function joined(all) {
+  const sum = (/** @type {(one: typeof all[0]) => number} */ count) =>
+    all.reduce((total, one) => total + count(one), 0);
+  const positions = new Float32Array(sum((one) => one.positions.length));
+  const indices = new Uint32Array(sum((one) => (one.corners ?? one.positions).length
+    / (one.corners ? 1 : 3)));
+  let at = 0, corner = 0;
+  for (const { positions: own, corners, matrix } of all) {
+    const count = corners ? corners.length : own.length / 3;
+    for (let k = 0; k < count; ++k) indices[corner + k] = at / 3 + (corners ? corners[k] : k);
+    move(own, positions.subarray(at, at + own.length), matrix);
+    at += own.length;
+    corner += count;
   }
-  const polygons = isDrawn ? null : allPolygons(meshes.map(({ geometry }) => geometry));
-  return { positions, indices, polygons };
+  return { positions, indices };
+}
+
+/** The drawn triangles. @param {import('three').Mesh[]} meshes @returns {Soup} */
+export function soupOf(meshes) {
+  return { ...joined(meshes.map(({ geometry, matrixWorld }) => ({ positions: positionsOf(geometry),
+    corners: geometry.index?.array ?? null, matrix: matrixWorld.elements }))),
+  polygons: allPolygons(meshes.map(({ geometry }) => geometry)) };
 }

@@ -115,9 +115,9 @@ export class ModelView {
   #clay;
 
   /** @param {Prepared} prepared @param {string} color of the clay
-   * @param {import('../triangles/thinning.js').Thinned | null} thinned */
-  constructor({ scene, bounds, front }, color, thinned) {
-    this.thinned = thinned;
+   * @param {import('./thinning.js').Thinning | null} thinning null: all triangles are drawn */
+  constructor({ scene, bounds, front }, color, thinning) {
+    this.thinning = thinning;
     this.#clay = clayOf(color);
     this.group = scene;
     this.bounds = bounds;
@@ -152,9 +152,11 @@ export class ModelView {
     return this.#surfaces.some(({ geometry }) => geometry.userData.polygons);
   }
 
-  /** All triangles of the model, in the stage's coordinates. */
-  soup() {
-    return soupOf(this.#surfaces);
+  /** All triangles of the model, drawn or not, in the stage's coordinates.
+   * @returns {Promise<import('../triangles/soup.js').Soup>} */
+  async soup() {
+    return this.thinning ? { ...await this.thinning.soup(this.#surfaces), polygons: null }
+      : soupOf(this.#surfaces);
   }
 
   /** @param {Part} part */
@@ -170,15 +172,17 @@ export class ModelView {
    * @param {(vertex: number, color: Color) => void} paint sets the colour of a vertex */
   setColors(shading, paint) {
     const color = new Color();
-    let vertex = 0;
+    let first = 0;
     for (const part of this.#parts) {
       part.colored[shading] ??=
         companion(part.surface, recolored(part.surface.geometry), painted);
       const attribute = part.colored[shading].geometry.getAttribute('color');
+      const drawn = this.thinning?.parts[part.surface.geometry.userData.whole];
       for (let i = 0; i < attribute.count; ++i) {
-        paint(vertex++, color);
+        paint(first + (drawn ? drawn.kept[i] : i), color);
         attribute.setXYZ(i, color.r, color.g, color.b);
       }
+      first += drawn?.vertices ?? attribute.count;
       attribute.needsUpdate = true;
     }
   }
@@ -190,7 +194,7 @@ export class ModelView {
     for (const part of this.#parts) {
       const { surface, colored, own } = part;
       // The drawn triangles of a thinned model are not its own, so they have no angles to show.
-      if (shading === 'angles' && !this.thinned) colored.angles ??= this.#coloredByAngle(part);
+      if (shading === 'angles' && !this.thinning) colored.angles ??= this.#coloredByAngle(part);
       surface.visible = !colored[shading];
       for (const [name, mesh] of Object.entries(colored)) mesh.visible = name === shading;
       surface.material = /** @type {MeshStandardMaterial} */ (shading === 'textured' && own
@@ -209,6 +213,7 @@ export class ModelView {
   }
 
   dispose() {
+    this.thinning?.close();
     for (const mesh of surfacesOf(this.group)) mesh.geometry.dispose();
     for (const { own } of this.#parts) {
       for (const value of Object.values(own ?? {})) if (value?.isTexture) value.dispose();

@@ -43,5 +43,5 @@ export async function prepare(scene, origin) {
     geometry.boundingSphere ??= geometry.boundingBox?.getBoundingSphere(new Sphere()) ?? null;
   }
   await breath();
-  return { scene, bounds, origin: shown, front: openSide(soupOf(surfaces, { isDrawn: true })) };
+  return { scene, bounds, origin: shown, front: await openSide(soupOf(surfaces)) };
 }

@@ -23,7 +23,8 @@ export async function loadScene(bytes, resources = []) {
   manager.setURLModifier((url) => urls.get(url) ?? urls.get(decodeURIComponent(url)) ?? url);
   const loader = new GLTFLoader(manager).setMeshoptDecoder(MeshoptDecoder);
   try {
-    const data = bytes.slice().buffer;
+    const isWhole = bytes.length === bytes.buffer.byteLength;
+    const data = /** @type {ArrayBuffer} */ (isWhole ? bytes.buffer : bytes.slice().buffer);
     return (await loader.parseAsync(data, '')).scene;
   } finally {
     for (const url of urls.values()) URL.revokeObjectURL(url);

@@ -7,15 +7,13 @@ import { byId, element } from '../base/dom.js';
 import { count } from '../base/format.js';
 import { t } from '../base/i18n.js';
 import { Cutting } from './cutting.js';
-import { surfacesOf } from './model_view.js';
 import { prepare } from './preparation.js';
 import { loadScene } from './scene_loader.js';
-import { thin } from '../triangles/thinning.js';
+import { isTooLarge, Thinning } from './thinning.js';
 import { Viewer } from './viewer.js';
 
 /** @typedef {import('./viewer.js').Side} Side */
 /** @typedef {import('./viewer.js').Shading} Shading */
-/** @typedef {import('../files/files.js').NamedBytes} NamedBytes */
 
 const narrow = '(max-width: 760px)';
 
@@ -185,20 +183,27 @@ export class Stage {
     this.#root.classList.toggle('holding', holds);
   }
 
-  /** @param {Side} side @param {{ bytes: Uint8Array, resources: NamedBytes[] }} gltf */
-  async show(side, { bytes, resources }) {
+  /** @param {Side} side @param {import('./thinning.js').Gltf} gltf */
+  async show(side, gltf) {
     if (!this.viewer) return;
     const turn = ++this.#turns[side];
-    const scene = await loadScene(bytes, resources);
-    const thinned = await thin(surfacesOf(scene).map(({ geometry }) => geometry));
-    const prepared = await prepare(scene, side === 'original' ? null : this.origin);
-    if (turn !== this.#turns[side]) return;
-    this.origin = prepared.origin;
-    this.viewer.show(side, prepared, thinned);
+    const thinning = isTooLarge(gltf) ? new Thinning() : null;
+    const isOvertaken = () => turn !== this.#turns[side];
+    try {
+      const bytes = await thinning?.begin(gltf) ?? gltf.bytes;
+      if (isOvertaken()) return;
+      const scene = await loadScene(bytes, gltf.resources);
+      const prepared = await prepare(scene, side === 'original' ? null : this.origin);
+      if (isOvertaken()) return;
+      this.origin = prepared.origin;
+      this.viewer.show(side, prepared, thinning);
+    } finally {
+      if (this.viewer.view(side)?.thinning !== thinning) thinning?.close();
+    }
     this.#cutting?.refresh();
     this.#root.classList.toggle(`has-${side}`, true);
     this.#tellThinned();
-    if (side === 'original') this.#suit(this.viewer.isTextured, Boolean(thinned));
+    if (side === 'original') this.#suit(this.viewer.isTextured, Boolean(thinning));
   }
 
   /** Chooses wireframe and shading for the model, unless the visitor chose. The many lines of a
@@ -231,7 +236,7 @@ export class Stage {
     const left = this.viewer?.view('baseline') ?? this.viewer?.view('original');
     for (const [id, view] of Object.entries({ 'left-thinned': left,
       'right-thinned': this.viewer?.view('result') })) {
-      const { shown = 0, all = 0 } = view?.thinned ?? {};
+      const { shown = 0, all = 0 } = view?.thinning?.thinned ?? {};
       const note = byId(id, HTMLElement);
       note.hidden = !all;
       note.textContent = all ? t('thinned', { shown: count(shown), all: count(all) }) : '';

@@ -198,16 +198,15 @@ export class Viewer {
 
   /** Shows a model on its side, null: nothing. The eye moves only for a new original.
    * @param {Side} side @param {import('./model_view.js').Prepared | null} prepared
-   * @param {import('../triangles/thinning.js').Thinned | null} [thinned] null: all its triangles
-   *   are drawn */
-  show(side, prepared, thinned = null) {
+   * @param {import('./thinning.js').Thinning | null} [thinning] null: all triangles are drawn */
+  show(side, prepared, thinning = null) {
     const old = this.#views[side];
     if (old) {
       this.#scene.remove(old.group);
       old.dispose();
       this.overlays[side].clear();
     }
-    const view = prepared && new ModelView(prepared, clayColors[side], thinned);
+    const view = prepared && new ModelView(prepared, clayColors[side], thinning);
     this.#views[side] = view;
     if (view) {
       view.setShading(this.#shading);
