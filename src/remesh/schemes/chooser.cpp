@@ -30,7 +30,7 @@ constexpr std::array kRules = {
          "vertices-placed",
          {is(Fact::VerticesPlaced)},
          Candidate::Isotropic,
-         "An option decides where vertices lie: simplification cannot follow it."},
+         "Simplification cannot put vertices where an option wants them."},
     Rule{Decision::Surface,
          "shape-conforming",
          {is(Fact::ShapeAsked), is(Fact::FacetsMeshed)},

@@ -4,8 +4,8 @@
 export default {
   'chosen.rounds': 'Das Verfahren `rounds` war verlangt.',
   'chosen.isotropic-asked': 'Gleichmäßige Dreiecke waren verlangt.',
-  'chosen.vertices-placed': 'Eine Einstellung bestimmt, wo Punkte liegen: Vereinfachen kann ihr '
-    + 'nicht folgen.',
+  'chosen.vertices-placed': 'Vereinfachen kann Punkte nicht dorthin setzen, wo eine Einstellung '
+    + 'sie verlangt.',
   'chosen.shape-conforming': 'Die Form geht vor: Jede ebene Fläche wurde für sich vernetzt.',
   'chosen.shape-refined': 'Die Form geht vor, mit mehr Punkten als im Original: gleichmäßige '
     + 'Dreiecke, die nirgends sichtbar abweichen.',

@@ -4,8 +4,8 @@
 export default {
   'chosen.rounds': 'La méthode `rounds` était demandée.',
   'chosen.isotropic-asked': 'Des triangles réguliers étaient demandés.',
-  'chosen.vertices-placed': 'Un réglage décide de la place des sommets : la simplification ne '
-    + 'peut pas le suivre.',
+  'chosen.vertices-placed': 'La simplification ne peut pas placer les sommets là où un réglage '
+    + 'les demande.',
   'chosen.shape-conforming': 'La forme est préférée : chaque facette a été maillée dans son plan.',
   'chosen.shape-refined': 'La forme est préférée, avec plus de sommets que l’original : des '
     + 'triangles réguliers qui ne s’en écartent visiblement nulle part.',
