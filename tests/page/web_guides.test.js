@@ -59,6 +59,13 @@ test('the door to quads has them, other doors have not', async () => {
   assert.deepEqual(await barriers(page), []);
 });
 
+test('a line that is too short is said to be, and none is kept', async () => {
+  await draw([0.5, 0.63], [0.503, 0.63]);
+  await page.waitForSelector('#news:visible');
+  assert.match(await page.textContent('#news'), /too short for quads to follow/);
+  assert.deepEqual(await strokes(), []);
+});
+
 test('a stroke across the tube is a ring round it, and becomes sides of quads', async () => {
   await lookFromAbove();
   await page.check('#pencil-loop');

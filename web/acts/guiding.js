@@ -159,6 +159,7 @@ export class Guiding {
     this.#isOpen = false;
     showOpenLine(false);
     if (points.length < 2 || lengthOf(points) < least.length * diagonal) {
+      if (points.length) showNews(t('pencil.short'));
       this.show();
       return;
     }

@@ -3,6 +3,7 @@
 import { byId, element } from '../base/dom.js';
 import { length } from '../base/format.js';
 import { t } from '../base/i18n.js';
+import { exactFrom } from '../model/purposes.js';
 import { hasManySeams } from '../model/seams.js';
 import { keepUnit, knownUnit, saidUnit, units } from '../model/units.js';
 
@@ -17,13 +18,14 @@ export function unitOption({ session: { model, isGltf } }) {
 }
 
 /** Gives the purposes what they make their numbers of. @param {Page} page */
-function tellPanel(page) {
+export function tellPanel(page) {
   const { session: { model, inspection, isGltf }, surveying, stage, panel } = page;
   const { name, size } = page.surveying.scale;
   const isTextured = stage.viewer?.isTextured ?? true;
   const { vertices = 0, triangles = 0 } = inspection?.input ?? {};
   const isBaked = isGltf && model !== null && hasManySeams(model.bytes, vertices);
-  panel.setSubject({ triangles, diagonal: surveying.diagonal, unit: size, isBaked,
+  const exact = exactFrom(surveying.corners, triangles);
+  panel.setSubject({ triangles, diagonal: surveying.diagonal, unit: size, exact, isBaked,
     isPaintable: isGltf || isTextured },
   { ofAmount: name || t('unit.some'), ofModel: isGltf ? 'm' : name });
 }

@@ -13,7 +13,7 @@ import { download } from '../panel/downloads.js';
 import { fillMenu, showInMenu } from '../panel/intake.js';
 import { announce, isAbort, showNews, showProgress } from '../panel/messages.js';
 import { modelFacts } from '../report/report_view.js';
-import { showSize } from './measures.js';
+import { showSize, tellPanel } from './measures.js';
 import { clearResult, remesh, remeshToEnough, showReport } from './running.js';
 
 /** @typedef {import('./page.js').Page} Page */
@@ -46,15 +46,21 @@ export function retellFacts(page) {
  * @param {Page} page */
 async function showOriginal(page) {
   const { session, stage, surveying, painting, guiding } = page;
+  const show = async (/** @type {'direct' | 'converted'} */ way) => {
+    const gltf = await session.originalAsGltf(way);
+    page.tell(t('preparing.picture'));
+    await stage.show('original', gltf);
+  };
   try {
-    await stage.show('original', await session.originalAsGltf('direct'));
+    await show('direct');
   } catch (error) {
     if (isAbort(error)) throw error;
-    await stage.show('original', await session.originalAsGltf('converted'));
+    await show('converted');
   }
   await surveying.measureExtent();
   showSize(page, () => showReport(page));
   await surveying.shown('original');
+  tellPanel(page);
   painting.begin();
   guiding.begin();
 }

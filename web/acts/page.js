@@ -51,6 +51,11 @@ export class Page {
       timeLeft(performance.now() - this.#begun, fraction));
   }
 
+  /** Says what is being done, where nobody knows how long it takes. @param {string} phase */
+  tell(phase) {
+    if (this.#state === 'busy') showProgress({ phase, fraction: null });
+  }
+
   /** @param {State} state */
   #setState(state) {
     this.#state = state;

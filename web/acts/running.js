@@ -11,7 +11,7 @@ import { landmarkOf } from '../report/landmarks.js';
 import { mapsView } from '../report/maps_view.js';
 import { announce } from '../panel/messages.js';
 import { openExpert } from '../panel/expert.js';
-import { isRepairOnly } from '../model/purposes.js';
+import { exactFrom, isRepairOnly } from '../model/purposes.js';
 import { reportView } from '../report/report_view.js';
 import { takeawayView } from '../report/takeaway.js';
 import { verdictInShort, verdictView } from '../report/verdict.js';
@@ -63,19 +63,21 @@ function largestOf({ surveying }, { report: { fidelity } }) {
 /** The verdict on the shown result, and the button that saves it. @param {Page} page */
 function showVerdict(page) {
   const { session, surveying, panel } = page;
-  const { shown, model } = session;
+  const { shown, model, inspection } = session;
   if (!shown || !model) return;
   const format = downloadFormat(model.name);
   const size = shown.sizeIn(format);
   const { triangles, quads } = shown.report.output;
   const judged = { report: shown.report, values: shown.values, scale: surveying.scale,
     diagonal: surveying.diagonal, largest: largestOf(page, shown),
+    exact: exactFrom(surveying.corners, inspection?.input.triangles ?? 0),
     edges: surveying.distances?.edges, format, size, original: model.size };
   byId('verdict', HTMLElement).replaceChildren(verdictView(judged, {
     onLargest: () => surveying.visitLargest(),
     onPlace: (place) => surveying.visitPlace(place),
     onThicken: () => panel.runWith({ repair: 'wrap' }),
     onWithin: () => panel.runWith({ ...noTarget, maxError: within }),
+    onExact: () => panel.runWith({ ...noTarget, faces: judged.exact }),
     onMore: () => panel.runWith({ ...noTarget,
       faces: 2 * (quads?.count ?? triangles) }),
     onNotes: () => openExpert('#result'),

@@ -8,8 +8,9 @@ import { roundLength } from './units.js';
 /** @typedef {'asset' | 'print' | 'simulation' | 'quads'} Purpose */
 
 /** What is known of the model; diagonal and unit in the model's own units; unit: of its number;
+ * exact: triangles from which a body of flat sides keeps its shape, 0 if that is not known;
  * isBaked: whether a lighter one gets new textures.
- * @typedef {{ triangles: number, diagonal: number, unit: number,
+ * @typedef {{ triangles: number, diagonal: number, unit: number, exact: number,
  *   isPaintable: boolean, isBaked: boolean }} Subject */
 
 /** @type {Purpose[]} */
@@ -18,26 +19,36 @@ export const purposes = ['asset', 'print', 'simulation', 'quads'];
 /** The purposes whose number is a length. */
 export const measured = /** @type {Purpose[]} */ (['print', 'simulation']);
 
-/** Rounds to two significant digits, as a person would type. @param {number} value */
-function rounded(value) {
+/** Rounds to two significant digits, as a person would type. @param {number} value
+ * @param {(x: number) => number} [round] */
+function rounded(value, round = Math.round) {
   const unit = 10 ** Math.max(0, Math.floor(Math.log10(value)) - 1);
-  return Math.round(value / unit) * unit;
+  return round(value / unit) * unit;
+}
+
+/** The number of triangles from which a body of flat sides keeps its shape: all, if hardly fewer
+ * do; 0 if it has no corners, or so many that it would stay too heavy.
+ * @param {number} corners @param {number} triangles */
+export function exactFrom(corners, triangles) {
+  const exact = rounded(2 * corners, Math.ceil);
+  if (!corners || exact > mostExact) return 0;
+  return exact < lighter * triangles ? exact : triangles;
 }
 
 /** Most triangles of a model for the web, and as many as keep most looks, if nobody says
  * otherwise. */
 const forWeb = 20_000, forLooks = 8000;
-/** Fewer triangles are few enough. */
-const few = 400;
+/** Fewer triangles are few enough; a share of them that is lighter; the most for an exact shape. */
+const few = 400, lighter = 0.9, mostExact = 100_000;
 /** A tolerance that printers keep, and edges that show a part, in shares of the diagonal. */
 const shares = { tolerance: 1 / 1000, edge: 1 / 80 };
 
 /** The number that a purpose begins with. @param {Purpose} purpose @param {Subject} subject */
-export function firstAmount(purpose, { triangles, diagonal, unit }) {
+export function firstAmount(purpose, { triangles, diagonal, unit, exact }) {
   switch (purpose) {
     case 'asset':
-      return triangles < few ? triangles
-        : rounded(Math.min(forWeb, Math.max(triangles / 10, Math.min(triangles / 2, forLooks))));
+      return triangles < few ? triangles : Math.max(exact,
+        rounded(Math.min(forWeb, Math.max(triangles / 10, Math.min(triangles / 2, forLooks)))));
     case 'print': return roundLength(shares.tolerance * diagonal / unit);
     case 'simulation': return roundLength(shares.edge * diagonal / unit);
     default: return rounded(Math.min(5000, Math.max(500, triangles / 2)));

@@ -40,14 +40,21 @@ export function showNews(text) {
   if (text) announce(text);
 }
 
-/** @param {{ phase: string, fraction: number } | null} event null: nothing runs
+/** @param {{ phase: string, fraction: number | null } | null} event null: nothing runs; its
+ *   fraction: null if nobody knows how far the work is
  * @param {number | null} [left] milliseconds left, null: unknown */
 export function showProgress(event, left = null) {
   byId('progress', HTMLElement).hidden = !event;
   if (!event) return;
   byId('progress-phase', HTMLElement).textContent = event.phase;
+  const bar = byId('progress-bar', HTMLProgressElement);
+  if (event.fraction === null) {
+    byId('progress-percent', HTMLElement).textContent = '';
+    bar.removeAttribute('value');
+    return;
+  }
   const done = number(event.fraction, { style: 'percent' });
   byId('progress-percent', HTMLElement).textContent = left === null ? done
     : `${done} · ${t('progress.left', { seconds: count(Math.ceil(left / 1000)) })}`;
-  byId('progress-bar', HTMLProgressElement).value = event.fraction;
+  bar.value = event.fraction;
 }

@@ -24,8 +24,11 @@ function entry(result, isShown, onShow) {
   element('b', {}, String(result.number)),
   element('span', {}, t('facts.vertices', { count: count(output.vertices) }),
     element('span', { className: 'quiet' }, valuesInWords(values))),
-  element('span', { className: 'quiet numbers' }, angleFigure(output),
-    element('br'), fidelity ? percent(fidelity.hausdorff) : '–'));
+  element('span', { className: 'quiet numbers' },
+    element('span', { title: t(output.quads ? 'report.deviation' : 'report.meanAngle') },
+      t('history.angles', { value: angleFigure(output) })),
+    element('span', {},
+      t('history.distance', { value: fidelity ? percent(fidelity.hausdorff) : '–' }))));
   return element('li', {}, button);
 }
 

@@ -30,6 +30,10 @@ export function repairView(repair) {
   const mode = textIfAny(`choice.repair.${repair.mode}`) ?? repair.mode;
   const why = textIfAny(`reason.${repair.reason}`);
   const done = whatWasDone(repair);
+  if (repair.reason === 'sound' && !done.length) {
+    return element('section', { id: 'repaired', className: 'repaired' },
+      element('h2', {}, t('repair.nothing')), element('p', { className: 'help' }, why ?? ''));
+  }
   const otherwise = t(repair.mode === 'holes' ? 'repair.nothing' : 'repair.made');
   return element('section', { id: 'repaired', className: 'repaired' },
     element('h2', {}, t('repair.title', { mode })),

@@ -11,15 +11,16 @@ import { distanceIn, lengthIn } from '../model/units.js';
 /** @typedef {import('../model/units.js').Scale} Scale */
 
 /** report, values: of the result; largest: the largest distance from the original in the model's
- * units, null while it is not known; edges: lengths of its edges, as soon as they are known; size:
+ * units, null while it is not known; exact: triangles that keep all corners of flat sides, or 0;
+ * edges: lengths of its edges, as soon as they are known; size:
  * bytes of the file to download, null if not known; original: bytes of the model.
  * @typedef {{ report: Report, values: import('../model/address.js').Values, scale: Scale,
- *   diagonal: number, largest: number | null,
+ *   diagonal: number, largest: number | null, exact: number,
  *   edges?: import('../survey/surface.js').Distances['edges'], format: string,
  *   size: number | null, original: number }} Judged */
 
 /** @typedef {{ onLargest: () => void, onPlace: (place: [number, number, number]) => void,
- *   onThicken: () => void, onWithin: () => void, onMore: () => void,
+ *   onThicken: () => void, onWithin: () => void, onExact: () => void, onMore: () => void,
  *   onNotes: () => void }} VerdictActs */
 
 /** @typedef {{ kind: 'good' | 'bad' | 'plain', text: string,
@@ -135,14 +136,22 @@ function repairLines({ report, diagonal, scale }, { onPlace }) {
 
 /** Where shape was lost, or kept at the cost of isotropic triangles: the way out.
  * @param {Judged} judged @param {VerdictActs} acts @returns {Line[]} */
-function shapeLines({ report, values, largest, diagonal }, { onWithin, onMore }) {
+function shapeLines({ report, values, largest, diagonal, exact }, { onWithin, onExact, onMore }) {
   if (!report.fidelity) return [];
+  const { triangles } = report.output;
+  if (values.purpose === 'asset' && exact === report.input.triangles && triangles === exact) {
+    return [{ kind: 'plain', text: t('verdict.needed') }];
+  }
   const keepsOwn = report.prefer?.includes('shape') && values.prefer !== 'shape';
   if (keepsOwn) {
     return [{ kind: 'bad', text: t('verdict.own'),
       act: { label: t('verdict.within'), run: onWithin } }];
   }
   if (largest === null || 100 * largest / diagonal <= seenByAnyone) return [];
+  if (triangles < exact) {
+    return [{ kind: 'plain', text: t('verdict.corners', { count: count(exact) }),
+      act: { label: t('verdict.within'), run: onExact } }];
+  }
   return [{ kind: 'plain', text: t('verdict.lost'),
     act: { label: t('verdict.more'), run: onMore } }];
 }

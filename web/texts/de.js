@@ -159,13 +159,15 @@ export default {
   'redo': 'Wiederholen',
   'history': 'Bisherige Ergebnisse',
   'history.name': 'Ergebnis {number}',
+  'history.angles': 'Winkel {value}',
+  'history.distance': 'Abstand {value}',
   'history.compare': 'Vergleichen mit',
   'download.gltf': 'glTF (ZIP)',
   'download.levels': 'Detailstufen',
   'download.report': 'Bericht',
   'download.picture': 'Bild',
   'download.cutout': 'Bild ohne Hintergrund',
-  'elsewhere': 'Dasselbe anderswo',
+  'elsewhere': 'Diesen Lauf anderswo wiederholen',
   'elsewhere.command': 'Kommandozeile',
   'elsewhere.noDensity': 'Die auf das Original gemalte Dichte ist in nichts davon: sie ist '
     + 'so groß wie das Modell. Dieser Browser behält sie für das Modell.',
@@ -244,6 +246,7 @@ export default {
 
   'progress.left': 'noch {seconds} s',
   'phase.inspect': 'Das Original wird untersucht',
+  'preparing.picture': 'Das Bild wird vorbereitet',
   'phase.read': 'Lesen',
   'phase.build': 'Dreiecke werden verbunden',
   'phase.curves': 'Knicke werden gesucht',
@@ -366,6 +369,8 @@ export default {
   'verdict.own': 'Isotrope Dreiecke dieser Größe würden das Teil beschädigen, darum behält '
     + 'es seine eigenen.',
   'verdict.within': 'So viele nehmen, dass die Form bleibt',
+  'verdict.corners': 'Ab {count} Dreiecken behalten die ebenen Seiten alle ihre Ecken.',
+  'verdict.needed': 'Jedes Dreieck wird gebraucht: Weniger würden Form oder Farben ändern.',
   'verdict.lost': 'Ein feineres Netz erhält mehr von der Form.',
   'verdict.more': 'Doppelt so viele',
   'verdict.notes': 'Hinweise zu diesem Lauf: {count}.',
@@ -407,6 +412,7 @@ export default {
     + 'Seiten von Vierecken. Um ein Auge ganz herum zeichnen.',
   'pencil.erase.help': 'Über eine Linie fahren, um sie zu entfernen.',
   'pencil.finish': 'Linie beenden',
+  'pencil.short': 'Diese Linie ist zu kurz, Vierecke können ihr nicht folgen: länger zeichnen.',
   'pencil.noRing': 'Die Fläche ist dort offen, also schließt sich kein Ring: die Linie ist eine '
     + 'Richtung.',
   'key.guide': 'Führungslinien für Vierecke zeichnen',
