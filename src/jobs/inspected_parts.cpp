@@ -65,12 +65,12 @@ InspectedParts::InspectedParts(const std::vector<io::Part>& given, const Progres
   for (io::Part& part : parts_) {
     requireValid(part.mesh);
     orders_.push_back(canonicalOrder(part.mesh));
-    progress.at(0.6 * double(orders_.size()) / double(parts_.size()));
+    progress.at(0.45 * double(orders_.size()) / double(parts_.size()));
     part.mesh = inOrder(part.mesh, orders_.back());
   }
   weldings_ = weldingsOf(parts_);
   places_ = placesOf(parts_);
-  progress.at(0.8);
+  progress.at(0.7);
   report_ = inspectParts(parts_, weldings_, places_);
   report_.diagonal = worldDiagonal(given_);
 }

@@ -60,7 +60,8 @@ test('the door to quads has them, other doors have not', async () => {
 });
 
 test('a line that is too short is said to be, and none is kept', async () => {
-  await draw([0.5, 0.63], [0.503, 0.63]);
+  await lookFromAbove();
+  await draw([0.74, 0.5], [0.743, 0.5]);
   await page.waitForSelector('#news:visible');
   assert.match(await page.textContent('#news'), /too short for quads to follow/);
   assert.deepEqual(await strokes(), []);

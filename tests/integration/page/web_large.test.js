@@ -6,8 +6,10 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
+import { gzipSync } from 'node:zlib';
 
 import { cancelAtOnce, openPage, opened, settled, visit } from '../../support/browser_page.js';
+import { objText, torus as ring } from '../../support/shape_files.js';
 import { stl, torus } from '../../support/shapes.js';
 import { withMemory } from '../../support/small_memory.js';
 import { root } from '../../support/tree.js';
@@ -46,16 +48,45 @@ test('where memory ends that is said, the last result stays, and the page goes o
   await small.close();
 });
 
+/** Keeps all that the bar of progress says from now on. */
+const keepPhases = () => page.evaluate(() => {
+  globalThis.phases = new Set();
+  new MutationObserver(() => {
+    globalThis.phases.add(document.getElementById('progress-phase').textContent);
+  }).observe(document.getElementById('progress-phase'), { childList: true });
+});
+
 test('of a million triangles and more a part is drawn, and said so; none is lost', async () => {
   const path = join(scratch, 'large.stl');
   writeFileSync(path, stl(torus({ columns: 1250, rows: 410 })));
   await cancelAtOnce(page);
+  await keepPhases();
   await page.setInputFiles('#file-input', path);
   await opened(page, 'large.stl');
+  const phases = await page.evaluate(() => [...globalThis.phases]);
+  for (const phase of ['Reading', 'Looking at the input', 'Preparing the picture']) {
+    assert.ok(phases.includes(phase), `${phase} in ${phases}`);
+  }
   assert.match(await page.textContent('#left-thinned'),
     /^9\d\d,\d{3} of 1,025,000 triangles drawn$/);
   assert.match(await page.textContent('#model-facts'), /1,025,000 triangles/);
   assert.equal(await page.getAttribute('#wireframe', 'aria-pressed'), 'false');
+});
+
+test('a packed one is the same, and what lies far within a long OBJ is found', async () => {
+  const packed = join(scratch, 'large.stl.gz');
+  writeFileSync(packed, gzipSync(readFileSync(join(scratch, 'large.stl')), { level: 1 }));
+  await cancelAtOnce(page);
+  await page.setInputFiles('#file-input', packed);
+  await page.waitForFunction(() => document.body.dataset.state === 'idle'
+    && document.getElementById('model-name').textContent === 'large.stl');
+  assert.match(await page.textContent('#model-facts'), /1,025,000 triangles/);
+  const long = `# ${'-'.repeat(3e6)}\nmtllib red.mtl\nusemtl red\n${objText(ring(24, 12))}`;
+  await page.setInputFiles('#file-input', [
+    { name: 'long.obj', mimeType: '', buffer: Buffer.from(long) },
+    { name: 'red.mtl', mimeType: '', buffer: Buffer.from('newmtl red\nKd 1 0 0\n') }]);
+  await opened(page, 'long.obj');
+  assert.ok(await page.isEnabled('[data-shading=textured]'), 'its colour is there');
 });
 
 test('a large model says that faults are not looked for, and from which size', async () => {
