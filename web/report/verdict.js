@@ -178,15 +178,21 @@ export function verdictView(judged, acts) {
   return element('ul', {}, ...lines.map(lineView));
 }
 
+/** @param {Judged} judged @param {number} largest */
+function distanceInShort({ scale, diagonal }, largest) {
+  if (largest < nothing * diagonal) return t('short.exact');
+  const share = 100 * largest / diagonal;
+  const distance = scale.name ? lengthIn(scale, largest) : percent(share);
+  return share > seenByAnyone ? t('short.far', { distance }) : `≤ ${distance}`;
+}
+
 /** The verdict's first three lines in a few words, for where there is room for one line.
  * @param {Judged} judged */
 export function verdictInShort(judged) {
-  const { report: { output }, largest, diagonal } = judged;
+  const { report: { output }, largest } = judged;
   const { boundaryEdges, triangles, quads } = output;
   return [boundaryEdges ? t('short.open', { count: count(boundaryEdges) }) : t('short.closed'),
-    ...(largest === null ? [] : [largest < nothing * diagonal ? t('short.exact')
-      : `≤ ${judged.scale.name ? lengthIn(judged.scale, largest)
-        : percent(100 * largest / diagonal)}`]),
+    ...(largest === null ? [] : [distanceInShort(judged, largest)]),
     quads ? t('facts.quads', { count: count(quads.count) })
       : t('facts.triangles', { count: count(triangles) })].join(' · ');
 }

@@ -424,6 +424,7 @@ export default {
   'verdict.edges': 'Kanten im Mittel {mean}, von {least} bis {most}.',
   'short.closed': 'Geschlossen',
   'short.open': '{count} offene Kanten',
+  'short.far': 'Form verloren, bis {distance}',
   'short.exact': 'Form exakt',
   'tag.vertices': 'Punkte',
 };

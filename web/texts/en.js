@@ -431,6 +431,7 @@ export default {
   'verdict.edges': 'Edges {mean} on average, from {least} to {most}.',
   'short.closed': 'Closed',
   'short.open': '{count} open edges',
+  'short.far': 'shape lost, up to {distance}',
   'short.exact': 'shape exact',
   'tag.vertices': 'vertices',
 };

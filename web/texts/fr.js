@@ -427,6 +427,7 @@ export default {
   'verdict.edges': 'Arêtes de {mean} en moyenne, de {least} à {most}.',
   'short.closed': 'Fermé',
   'short.open': '{count} arêtes de bord',
+  'short.far': 'forme perdue, jusqu’à {distance}',
   'short.exact': 'forme exacte',
   'tag.vertices': 'sommets',
 };
