@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Files that are read in blocks, never whole: binary PLY and STL, also from streams, pipes and .gz.
-// Read whole, they give the same bytes.
+// Files that are read in blocks, never whole: binary PLY and STL, also from streams, pipes and .gz;
+// texts, of which JavaScript holds only the beginning. Read whole, they give the same bytes.
 import assert from 'node:assert/strict';
 import { execFileSync, spawnSync } from 'node:child_process';
 import {
@@ -16,7 +16,8 @@ import { isReadInBlocks } from '../../dist/base/contents.js';
 import { blocksOfPieces, Pieces } from '../../dist/base/pieces.js';
 import { withInput } from '../../dist/files/input.js';
 import { inspect, remeshFile } from '../../dist/node.js';
-import { stl, torus } from '../support/shapes.js';
+import { objText } from '../support/shape_files.js';
+import { offText, stl, torus } from '../support/shapes.js';
 import { root } from '../support/tree.js';
 
 const top = mkdtempSync(join(tmpdir(), 'remesher-blocks-'));
@@ -41,6 +42,12 @@ function plyBytes({ positions, indices }) {
 }
 
 const files = { 'torus.ply': plyBytes(shape), 'torus.stl': Buffer.from(stl(shape)) };
+const numbered = { positions: Array.from({ length: shape.positions.length / 3 }, (_, v) =>
+  Array.from(shape.positions.subarray(3 * v, 3 * v + 3), Math.fround)),
+triangles: Array.from({ length: shape.indices.length / 3 }, (_, t) =>
+  Array.from(shape.indices.subarray(3 * t, 3 * t + 3))) };
+const texts = { 'torus.obj': Buffer.from(objText(numbered)),
+  'torus.off': Buffer.from(offText(shape)) };
 for (const [name, bytes] of Object.entries(files)) writeFileSync(join(top, name), bytes);
 const options = { vertices: 400 };
 
@@ -75,8 +82,11 @@ for (const [name, bytes] of Object.entries(files)) {
     }
     const run = (/** @type {string[]} */ ...words) =>
       execFileSync(process.execPath, [cli, ...words], { cwd: top, stdio: 'pipe' });
-    run(name, '-o', 'blocks.ply', '--vertices', '400', '--force');
-    assert.deepEqual(readFileSync(join(top, 'blocks.ply')), wanted);
+    writeFileSync(join(top, `${name}.gz`), gzipSync(bytes));
+    for (const input of [name, `${name}.gz`]) {
+      run(input, '-o', 'blocks.ply', '--vertices', '400', '--force');
+      assert.deepEqual(readFileSync(join(top, 'blocks.ply')), wanted);
+    }
     execFileSync('sh', ['-c', `cat ${name} | ${process.execPath} ${cli} /dev/stdin -o piped.ply `
       + '--vertices 400 --force'], { cwd: top, stdio: 'pipe' });
     assert.deepEqual(readFileSync(join(top, 'piped.ply')), wanted);
@@ -121,6 +131,40 @@ for (const [name, bytes] of Object.entries(files)) {
   });
 }
 
+for (const [name, bytes] of Object.entries(texts)) {
+  test(`${name}, of which only the core holds all, gives the same bytes`, async () => {
+    const request = { name, output: 'out.ply', ...options };
+    const wanted = Buffer.from((await remeshFile(bytes, request)).bytes);
+    for (const [way, given] of Object.entries(waysOf(bytes))) {
+      const { bytes: made } = await remeshFile(given(), request);
+      assert.deepEqual(Buffer.from(made), wanted, way);
+    }
+    writeFileSync(join(top, name), bytes);
+    const path = join(top, name);
+    const { bytes: begin, handle } = await withInput(path, async (file) => file);
+    assert.deepEqual([begin.length, handle?.size], [65536, bytes.length]);
+    execFileSync(process.execPath, [cli, name, '-o', 'text.ply', '--vertices', '400', '--force'],
+      { cwd: top, stdio: 'pipe' });
+    assert.deepEqual(readFileSync(join(top, 'text.ply')), wanted);
+  });
+}
+
+test('a library that a long OBJ names far behind its beginning is read, also from a .gz', () => {
+  const far = Buffer.concat([texts['torus.obj'], Buffer.from('mtllib far.mtl\nusemtl red\n'
+    + 'f 1 2 3\n')]);
+  writeFileSync(join(top, 'far.mtl'), 'newmtl red\nKd 1 0 0\n');
+  writeFileSync(join(top, 'far.obj'), far);
+  writeFileSync(join(top, 'far.obj.gz'), gzipSync(far));
+  for (const input of ['far.obj', 'far.obj.gz']) {
+    execFileSync(process.execPath, [cli, 'convert', input, '-o', 'far.glb', '--force'],
+      { cwd: top, stdio: 'pipe' });
+    const glb = readFileSync(join(top, 'far.glb'));
+    const { materials } = JSON.parse(glb.subarray(20, 20 + glb.readUInt32LE(12)).toString());
+    assert.deepEqual(materials.at(-1).pbrMetallicRoughness.baseColorFactor.slice(0, 3), [1, 0, 0],
+      input);
+  }
+});
+
 test('a file that becomes shorter while it is read is refused in a sentence', async () => {
   const path = join(top, 'short.ply');
   writeFileSync(path, files['torus.ply']);
@@ -139,7 +183,9 @@ test('bytes in pieces are those that came, from any place on', () => {
   const pieces = new Pieces();
   for (const chunk of chunksOf(bytes, 1_234_567)) pieces.add(chunk);
   assert.deepEqual(pieces.joined(), bytes);
-  assert.equal(pieces.open().handle, undefined, 'no format that is read in blocks');
+  const zip = new Pieces();
+  zip.add(Buffer.from('PK\x03\x04'.padEnd(100_000)));
+  assert.equal(zip.open().handle, undefined, 'what JavaScript unpacks');
   const { 'torus.ply': ply } = files;
   const some = new Pieces();
   some.add(ply.subarray(0, 100_000));

@@ -3,7 +3,7 @@
 // the copies can be handed over to a worker.
 
 import { RemeshError } from '../base/errors.js';
-import { bytesLooked, isReadInBlocks } from '../base/contents.js';
+import { bytesLooked, isLeftToCore } from '../base/contents.js';
 import { withoutGz } from '../base/formats.js';
 import { legible } from '../base/legible.js';
 import { OpenFile } from '../base/open_file.js';
@@ -240,13 +240,13 @@ async function collected(stream) {
 const allOf = async (source) => new OpenFile(isStream(source) ? (await collected(source)).joined()
   : new Uint8Array(await source.arrayBuffer()));
 
-/** The first bytes of what the core reads in blocks, with the way to the others; all bytes of what
- * it does not. @param {Source} source */
+/** The first bytes of what is left to the core, with the way to the others; all bytes of what is
+ * not. @param {Source} source */
 async function beginOf(source) {
   if (isStream(source)) return (await collected(source)).open();
   const begin = new Uint8Array(await source.slice(0, bytesLooked).arrayBuffer());
   if (begin.length === source.size) return new OpenFile(begin);
-  return isReadInBlocks(begin, source.size)
+  return isLeftToCore(begin)
     ? new OpenFile(begin, { blob: source, size: source.size }) : allOf(source);
 }
 

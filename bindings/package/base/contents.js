@@ -20,8 +20,16 @@ export function isObj(bytes) {
   return /^[ \t\v\f]*(v|vt|vn|vp|f|l|p|o|g|s|mtllib|usemtl)[ \t]/.test(statement);
 }
 
-/** Whether nothing but the core, which reads these in blocks, needs more of a file than its
- * beginning: a binary STL, as long as its number of facets says, or a binary PLY.
+/** Whether nothing but the core needs more of a file than its beginning: JavaScript unpacks ZIP
+ * (3MF) and gzip, and reads glTF. @param {Uint8Array} begin */
+export function isLeftToCore(begin) {
+  const isZip = begin[0] === 0x50 && begin[1] === 0x4b;
+  const isGzip = begin[0] === 0x1f && begin[1] === 0x8b;
+  return !isZip && !isGzip && !isGltf(begin);
+}
+
+/** Whether the core reads a file in blocks, without ever holding all of it: a binary STL, as long
+ * as its number of facets says, or a binary PLY.
  * @param {Uint8Array} begin @param {number} size */
 export function isReadInBlocks(begin, size) {
   if (begin.length <= 84 || isGltf(begin) || isObj(begin)) return false;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Bytes whose number nobody knows before the last of them: of a pipe, a stream or a packed file.
-// They are kept in pieces of one size, and put together only for a format that is read whole.
+// They are kept in pieces of one size, and put together only where JavaScript needs them all.
 
-import { bytesLooked, isReadInBlocks } from './contents.js';
+import { bytesLooked, isLeftToCore } from './contents.js';
 import { OpenFile } from './open_file.js';
 
 const pieceSize = 2 ** 22;
@@ -58,10 +58,10 @@ export class Pieces {
     return bytes;
   }
 
-  /** The file: its first bytes and the pieces, if the core reads it in blocks, else all bytes. */
+  /** The file: its first bytes and the pieces, if only the core needs all of it, else all bytes. */
   open() {
     const begin = this.#first(Math.min(this.size, bytesLooked));
-    return this.size > begin.length && isReadInBlocks(begin, this.size)
+    return this.size > begin.length && isLeftToCore(begin)
       ? new OpenFile(begin, { pieces: this.#pieces, size: this.size })
       : new OpenFile(this.joined());
   }

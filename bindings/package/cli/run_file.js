@@ -6,13 +6,15 @@ import { basename } from 'node:path';
 
 import { RemeshError } from '../base/errors.js';
 import { OpenFile } from '../base/open_file.js';
+import { blocksOfPieces } from '../base/pieces.js';
 import { withPreset } from '../base/presets.js';
 import { guidesFrom } from '../codecs/guides_file.js';
-import { gunzip } from '../codecs/gunzip.js';
+import { gunzipAll, isGzip } from '../codecs/gunzip.js';
 import { referencesOf } from '../codecs/resources.js';
 import { Gate } from '../files/gate.js';
 import { withInput } from '../files/input.js';
 import { requireOutput, writeOutput } from '../files/output.js';
+import { blocksOf as openBlocks } from '../platform_node.js';
 
 /** @typedef {import('../base/messages.js').BooleanOperation} BooleanOperation */
 /** @typedef {import('../base/messages.js').NamedBytes} NamedBytes */
@@ -46,13 +48,13 @@ import { requireOutput, writeOutput } from '../files/output.js';
 
 /**
  * The files that the file refers to; for painting, the images of its material libraries, too.
- * @param {{ name: string, bytes: Uint8Array, isPainted: boolean }} file
+ * @param {{ name: string, content: OpenFile, isPainted: boolean }} file
  * @param {Gate} gate
  */
-async function readResources({ name, bytes, isPainted }, gate) {
+async function readResources({ name, content: { bytes, handle }, isPainted }, gate) {
   /** @type {Record<string, Uint8Array>} */
   const resources = Object.create(null);
-  const references = new Set(referencesOf(name, bytes));
+  const references = new Set(referencesOf(name, bytes, handle && blocksOf(handle)));
   for (const reference of references) {
     const content = await gate.read(reference);
     if (!content) continue;
@@ -87,17 +89,34 @@ function withRefusals(error, refused) {
 
 /** @param {Input} input @param {FileTask} task @returns {Promise<Opened>} */
 async function withResources(input, { command, root, options }) {
-  const { path, name, content: { bytes } } = input;
+  const { path, name, content } = input;
   const gate = await Gate.of(path, root);
   const isPainted = command === 'bake' || withPreset(options).textures === 'bake';
-  return { ...input, gate, resources: await readResources({ name, bytes, isPainted }, gate) };
+  return { ...input, gate, resources: await readResources({ name, content, isPainted }, gate) };
 }
 
 /** The file, unpacked. @param {string} path @param {OpenFile} content @returns {Promise<Input>} */
 async function unpacked(path, content) {
-  const { name, bytes } = await gunzip({ name: basename(path), bytes: content.bytes });
-  return { path, name, content: bytes === content.bytes ? content
-    : new OpenFile(/** @type {Uint8Array<ArrayBuffer>} */ (bytes)) };
+  const given = basename(path);
+  if (!isGzip(content.bytes)) return { path, name: given, content };
+  const { name, bytes, handle } = await gunzipAll(
+    { name: given, bytes: content.bytes, resources: [], output: '' });
+  return { path, name,
+    content: new OpenFile(/** @type {Uint8Array<ArrayBuffer>} */ (bytes), handle) };
+}
+
+/** The way to the bytes of an open file.
+ * @param {import('../base/open_file.js').FileHandle} handle */
+function blocksOf({ fd, pieces, size }) {
+  const read = pieces ? blocksOfPieces({ pieces, size }) : openBlocks({ fd, size });
+  return { size, read: read ?? (() => false) };
+}
+
+/** All bytes of an open file. @param {OpenFile} content */
+function wholeOf({ bytes, handle }) {
+  if (!handle) return new OpenFile(bytes);
+  const all = new Uint8Array(handle.size);
+  return new OpenFile(blocksOf(handle).read(0, all) ? all : bytes);
 }
 
 /**
@@ -107,13 +126,15 @@ async function unpacked(path, content) {
 async function withGuides(task) {
   if (task.guides === undefined) return task;
   const { guides, root } = task;
-  const { name, content: { bytes } } =
-    await withInput(guides, async (content) => unpacked(guides, content));
+  const { name, content } = await withInput(guides, async (file) => {
+    const input = await unpacked(guides, file);
+    return { name: input.name, content: wholeOf(input.content) };
+  });
   const gate = await Gate.of(guides, root);
-  const resources = await readResources({ name, bytes, isPainted: false }, gate);
-  const named = Object.entries(resources).map(([resource, content]) =>
-    ({ name: resource, bytes: content }));
-  return { ...task, options: { ...task.options, guides: guidesFrom({ name, bytes }, named) } };
+  const resources = await readResources({ name, content, isPainted: false }, gate);
+  const named = Object.entries(resources).map(([resource, bytes]) => ({ name: resource, bytes }));
+  const lines = guidesFrom({ name, bytes: content.bytes }, named);
+  return { ...task, options: { ...task.options, guides: lines } };
 }
 
 /** What the functions of files take without copying it, which only the package itself may give.

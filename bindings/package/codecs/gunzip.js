@@ -62,7 +62,7 @@ export async function gunzip(file, limit = largestInflated) {
 }
 
 /**
- * A file and what it refers to, all unpacked; what the core reads in blocks stays in pieces.
+ * A file and what it refers to, all unpacked; what is left to the core stays in pieces.
  * @param {FileRequest} file
  * @returns {Promise<FileRequest>}
  */

@@ -25,10 +25,32 @@ function trimmed(line) {
   return line.slice(begin, end);
 }
 
-/** @param {Uint8Array} bytes @returns {string[]} */
-function objReferences(bytes) {
-  const references = new TextDecoder().decode(bytes).matchAll(/^[ \t]*mtllib[ \t](.*)$/gm);
+/** @param {string} text of an OBJ @returns {string[]} */
+function librariesIn(text) {
+  const references = text.matchAll(/^[ \t]*mtllib[ \t](.*)$/gm);
   return Array.from(references, ([, rest]) => trimmed(rest)).filter(Boolean);
+}
+
+const portion = 2 ** 20;
+
+/**
+ * The libraries of a long OBJ, which is not held as a whole.
+ * @param {number} size
+ * @param {import('../base/open_file.js').ReadBlock} read
+ */
+function librariesFar(size, read) {
+  const decoder = new TextDecoder();
+  const found = [];
+  let rest = '';
+  for (let at = 0; at < size; at += portion) {
+    const bytes = new Uint8Array(Math.min(portion, size - at));
+    if (!read(at, bytes)) return []; // the core says so
+    const text = rest + decoder.decode(bytes, { stream: true });
+    const end = Math.max(text.lastIndexOf('\n'), text.lastIndexOf('\r')) + 1;
+    found.push(...librariesIn(text.slice(0, end)));
+    rest = text.slice(end, end + portion);
+  }
+  return [...found, ...librariesIn(rest)];
 }
 
 /** The images that textures are painted from. @param {Uint8Array} bytes @returns {string[]} */
@@ -65,14 +87,18 @@ function behindOptions(statement) {
 /**
  * What the bytes are decides, as in the core; libraries of materials are known by their names.
  * @param {string} name
- * @param {Uint8Array} bytes
+ * @param {Uint8Array} bytes all of them, or the first
+ * @param {{ size: number, read: import('../base/open_file.js').ReadBlock }} [blocks] the way to all
  * @returns {string[]}
  */
-export function referencesOf(name, bytes) {
+export function referencesOf(name, bytes, blocks) {
   try {
     if (/\.mtl$/i.test(name)) return mtlReferences(bytes);
     if (isGltf(bytes)) return gltfReferences(bytes);
-    if (/\.obj$/i.test(name) || isObj(bytes)) return objReferences(bytes);
+    if (/\.obj$/i.test(name) || isObj(bytes)) {
+      return blocks ? librariesFar(blocks.size, blocks.read)
+        : librariesIn(new TextDecoder().decode(bytes));
+    }
   } catch {
     return [];
   }

@@ -6,7 +6,7 @@ import { constants } from 'node:fs';
 import { lstat, open, stat } from 'node:fs/promises';
 import { setTimeout as sleep } from 'node:timers/promises';
 
-import { bytesLooked, isReadInBlocks } from '../base/contents.js';
+import { bytesLooked, isLeftToCore, isReadInBlocks } from '../base/contents.js';
 import { RemeshError } from '../base/errors.js';
 import { legible } from '../base/legible.js';
 import { OpenFile } from '../base/open_file.js';
@@ -125,11 +125,10 @@ async function contentOf(handle, path) {
   requireReadable(stats, path);
   if (!stats.isFile()) return drain(handle, path);
   const begin = await beginOf(handle, Math.min(stats.size, bytesLooked));
-  if (isReadInBlocks(begin, stats.size)) {
-    return new OpenFile(begin, { fd: handle.fd, size: stats.size });
-  }
-  if (stats.size > largest) throw tooLarge(path);
-  return new OpenFile(stats.size > begin.length ? await beginOf(handle, stats.size) : begin);
+  if (begin.length === stats.size) return new OpenFile(begin);
+  if (stats.size > largest && !isReadInBlocks(begin, stats.size)) throw tooLarge(path);
+  return isLeftToCore(begin) ? new OpenFile(begin, { fd: handle.fd, size: stats.size })
+    : new OpenFile(await beginOf(handle, stats.size));
 }
 
 /** @param {string} path */

@@ -116,11 +116,20 @@ async function allOf(name, blob) {
 const readShares = { inspectFile: 0.2, convertFile: 1 };
 const usualReadShare = 0.05;
 
+/** Bytes that are read at once, at most: the core asks for all of a text. */
+const longestBlock = 2 ** 22;
+
 /** Blocks that tell how much of them is read.
  * @param {FileHandle} handle @param {ReadBlock} read @param {OnRead} onRead
  * @returns {{ size: number, read: ReadBlock }} */
 function watched({ size }, read, onRead) {
-  return { size, read: (at, into) => read(at, into) && onRead((at + into.length) / size) };
+  return { size, read(at, into) {
+    for (let filled = 0; filled < into.length; filled += longestBlock) {
+      const block = into.subarray(filled, filled + longestBlock);
+      if (!read(at + filled, block) || !onRead((at + filled + block.length) / size)) return false;
+    }
+    return true;
+  } };
 }
 
 /** The file as the instance takes it: with the way to its blocks, if it is read in blocks; with all
