@@ -212,6 +212,24 @@ test('a stream of no bytes, or that breaks, is refused in a sentence', async () 
   await assert.rejects(remeshFile(broken(), request), { code: 'PARSE_ERROR' });
 });
 
+test('a stream that never ends is left when its run is cancelled', async () => {
+  const controller = new AbortController();
+  let isLeft = false;
+  const endless = new ReadableStream({
+    async pull(stream) {
+      await new Promise((resolve) => { setImmediate(resolve); });
+      stream.enqueue(new Uint8Array(100));
+      controller.abort();
+    },
+    cancel() {
+      isLeft = true;
+    },
+  });
+  await assert.rejects(remeshFile(endless, { name: 'a.ply', signal: controller.signal }),
+    { name: 'AbortError' });
+  assert.ok(isLeft);
+});
+
 test('only what nothing but the core looks into is read in blocks', () => {
   const begins = (/** @type {Uint8Array} */ bytes, size = bytes.length) =>
     isReadInBlocks(Uint8Array.from(bytes.subarray(0, 65536)), size);

@@ -2,7 +2,7 @@
 // Checks and copies the meshes and files that the caller gives: the arrays stay the caller's, and
 // the copies can be handed over to a worker.
 
-import { RemeshError } from '../base/errors.js';
+import { abortError, RemeshError } from '../base/errors.js';
 import { bytesLooked, isLeftToCore } from '../base/contents.js';
 import { withoutGz } from '../base/formats.js';
 import { legible } from '../base/legible.js';
@@ -221,13 +221,19 @@ const isStream = (value) => isWebStream(value)
  * @param {ReadableStream<Uint8Array>} stream */
 async function* chunksOf(stream) {
   const reader = stream.getReader();
-  for (let step = await reader.read(); !step.done; step = await reader.read()) yield step.value;
+  try {
+    for (let step = await reader.read(); !step.done; step = await reader.read()) yield step.value;
+  } finally {
+    await reader.cancel().catch(() => {});  // where nobody wants the rest
+  }
 }
 
-/** @param {ReadableStream<Uint8Array> | AsyncIterable<Uint8Array>} stream */
-async function collected(stream) {
+/** @param {ReadableStream<Uint8Array> | AsyncIterable<Uint8Array>} stream
+ * @param {AbortSignal} [signal] */
+async function collected(stream, signal) {
   const pieces = new Pieces();
   for await (const chunk of isWebStream(stream) ? chunksOf(stream) : stream) {
+    if (signal?.aborted) throw abortError();
     if (!(chunk instanceof Uint8Array)) throw new TypeError('The stream is not of bytes.');
     pieces.add(chunk);
   }
@@ -241,9 +247,9 @@ const allOf = async (source) => new OpenFile(isStream(source) ? (await collected
   : new Uint8Array(await source.arrayBuffer()));
 
 /** The first bytes of what is left to the core, with the way to the others; all bytes of what is
- * not. @param {Source} source */
-async function beginOf(source) {
-  if (isStream(source)) return (await collected(source)).open();
+ * not. @param {Source} source @param {AbortSignal} [signal] */
+async function beginOf(source, signal) {
+  if (isStream(source)) return (await collected(source, signal)).open();
   const begin = new Uint8Array(await source.slice(0, bytesLooked).arrayBuffer());
   if (begin.length === source.size) return new OpenFile(begin);
   return isLeftToCore(begin)
@@ -263,6 +269,7 @@ async function openBytes(value, label, open) {
     if (value instanceof ArrayBuffer) return new OpenFile(new Uint8Array(value.slice(0)));
     return await open(value);
   } catch (cause) {
+    if (cause instanceof Error && cause.name === 'AbortError') throw cause;
     throw new RemeshError('PARSE_ERROR', `${label} cannot be read: its memory or its file is gone.`,
       'Was its buffer transferred elsewhere?', { cause });
   }
@@ -270,10 +277,10 @@ async function openBytes(value, label, open) {
 
 /**
  * @param {unknown} bytes
- * @param {FileOptions & OutputOptions} options
+ * @param {FileOptions & OutputOptions & { signal?: AbortSignal }} options
  * @returns {Promise<FileRequest>}
  */
-export async function fileRequest(bytes, { name, output, resources = {} }) {
+export async function fileRequest(bytes, { name, output, resources = {}, signal }) {
   const givenName = name ?? /** @type {any} */ (bytes)?.name ?? '';
   if (typeof givenName !== 'string' || !(output === undefined || typeof output === 'string')) {
     throw new RemeshError('INVALID_OPTION', 'name and output must be strings.');
@@ -286,7 +293,8 @@ export async function fileRequest(bytes, { name, output, resources = {} }) {
     const label = `resources['${legible(resource)}']`;
     files.push({ name: resource, bytes: (await openBytes(content, label, allOf)).bytes });
   }
-  const { bytes: begin, handle } = await openBytes(bytes, 'The file', beginOf);
+  const { bytes: begin, handle } = await openBytes(bytes, 'The file',
+    (source) => beginOf(source, signal));
   return {
     name: givenName || 'The file',
     bytes: begin,
