@@ -9,6 +9,7 @@ import { BufferAttribute, BufferGeometry, Color, Mesh } from 'three';
 import { angleColors } from '../../web/base/colors.js';
 import { irregularVertices } from '../../web/survey/irregular.js';
 import { strokesOf } from '../../web/survey/strokes.js';
+import { measureDistances, Surface } from '../../web/survey/surface.js';
 import { withNormals } from '../../web/triangles/normals.js';
 import { outlineOf, polygonsOf } from '../../web/triangles/polygons.js';
 import { soupOf } from '../../web/triangles/soup.js';
@@ -120,4 +121,19 @@ test('a model that fills its part of the canvas is behind neither toolbar nor ed
   }
   const { free, lift } = clearance(0);  // a canvas that is not laid out yet
   assert.ok(free > 0 && Number.isFinite(lift));
+});
+
+test('of a scan a part of the places is measured, and its distances are spread like all', () => {
+  const surfaceOf = ({ positions, indices }, shift = 0) =>
+    new Surface({ positions: Float32Array.from(positions, (x) => x + shift),
+      indices: Uint32Array.from(indices), polygons: null });
+  const [result, original] = [surfaceOf(torusArrays(), 0.01),
+    surfaceOf(torusArrays({ columns: 120, rows: 60 }))];
+  const how = { known: null, isRepair: false };
+  const [all, some] = [1e9, 3000].map((most) => measureDistances(result, original, how, most));
+  const sum = (bins) => bins.reduce((total, share) => total + share, 0);
+  assert.ok(Math.abs(sum(some.bins) - 1) < 1e-9);
+  assert.ok(some.place.distance <= all.place.distance);
+  assert.ok(some.place.distance > 0.9 * all.place.distance);
+  assert.deepEqual(some.values, all.values, 'of the result every vertex');
 });

@@ -74,12 +74,15 @@ export class Surface {
   }
 
   /** Visits the sample points of distances: all vertices, then the centroids of all triangles.
-   * @param {(point: Vector3, vertex: number) => void} visit vertex: -1 for a centroid */
-  forEachPlace(visit) {
+   * @param {(point: Vector3, vertex: number) => void} visit vertex: -1 for a centroid
+   * @param {number} step of so many places one is visited */
+  forEachPlace(visit, step) {
     const { positions, indices } = this.soup;
     const point = new Vector3(), corner = new Vector3();
-    for (let v = 0; v < positions.length / 3; ++v) visit(point.fromArray(positions, 3 * v), v);
-    for (let i = 0; i < indices.length; i += 3) {
+    for (let v = 0; v < positions.length / 3; v += step) {
+      visit(point.fromArray(positions, 3 * v), v);
+    }
+    for (let i = 0; i < indices.length; i += 3 * step) {
       point.set(0, 0, 0);
       for (let k = 0; k < 3; ++k) point.add(corner.fromArray(positions, 3 * indices[i + k]));
       visit(point.multiplyScalar(1 / 3), -1);
@@ -88,12 +91,14 @@ export class Surface {
 }
 
 const binCount = 30;
+/** Of a scan's places so many are measured: all of ten million would take minutes. */
+const mostPlaces = 500_000;
 
 /** The place of one surface that is farthest from another, and the distances of its vertices.
- * @param {Surface} from @param {Surface} to
+ * @param {Surface} from @param {Surface} to @param {number} [step] of so many places one counts
  * @returns {{ values: Float32Array, all: Float32Array, largest: Place }} all: of the vertices, then
  *   of the triangles' centroids */
-function distancesFrom(from, to) {
+function distancesFrom(from, to, step = 1) {
   const values = new Float32Array(from.soup.positions.length / 3);
   /** @type {number[]} */
   const all = [];
@@ -105,7 +110,7 @@ function distancesFrom(from, to) {
     if (own <= distance) return;
     distance = own;
     farthest = point.clone();
-  });
+  }, step);
   const largest = { distance, point: farthest.toArray(), nearest: to.nearest(farthest) };
   return { values, all: Float32Array.from(all), largest };
 }
@@ -137,10 +142,13 @@ function edgesOf({ soup: { positions, indices } }) {
  * distance is the core's, where it has measured. A repair leaves out what is not seen, and says so:
  * of that the distances are not. @param {Surface} result @param {Surface} original
  * @param {{ known: number | null, isRepair: boolean }} how known: the largest
+ * @param {number} [most] places of the original that are measured
  * @returns {Distances} */
-export function measureDistances(result, original, { known, isRepair }) {
+export function measureDistances(result, original, { known, isRepair }, most = mostPlaces) {
   const there = distancesFrom(result, original);
-  const back = isRepair ? there : distancesFrom(original, result);
+  const { positions, indices } = original.soup;
+  const step = Math.ceil((positions.length + indices.length) / 3 / most);
+  const back = isRepair ? there : distancesFrom(original, result, step);
   const { point, nearest, distance } = back.largest;
   // The place must be on the result, because the colours are there.
   const place = distance > there.largest.distance
