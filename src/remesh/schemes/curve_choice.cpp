@@ -13,8 +13,9 @@ namespace {
 // Quads follow a border of a flat region where it bends by this share of the feature angle: rims of
 // fillets, but not where flat goes over into round.
 constexpr double kRimBend = 0.2;
-// Between near curves triangles become needles, but quads long rectangles: curves of quads may be
-// nearer to each other by this factor, and as much shorter, before they are released.
+// Between near curves triangles become needles, but quads long rectangles: on a surface with flat
+// sides curves of quads may be nearer to each other by this factor, and as much shorter, before
+// they are released. Curves of other surfaces are as often noise.
 constexpr double kNearerForQuads = 0.35;
 
 // The edges that the caller gave as pairs of input vertices; without those of copies of triangles
@@ -84,7 +85,8 @@ CurveChoice chooseCurves(const BuiltMesh& built, const TriangleMesh& input,
   if (!options.quads) edges.flats = flats;
   if (scale.followed > 1) add(edges.free, std::exchange(edges.fixed, {}));
   CurveRules rules;
-  const double followed = scale.followed * (options.quads ? kNearerForQuads : 1);
+  const bool mayBeNear = options.quads && !flats.empty();
+  const double followed = scale.followed * (mayBeNear ? kNearerForQuads : 1);
   SimplifiedCurves simplified =
       simplifyCurves(built.mesh, built.positions, edges, followed * scale.size);
   rules.edges = std::move(simplified.edges);
