@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "base/place.h"
 #include "geometry/ray_crossings.h"
 #include "mesh/components.h"
 
@@ -36,6 +37,7 @@ class PieceFinder {
 
   Pieces run() {
     const TriangleTree tree(built_.positions.values(), corners_);
+    findPoints();
     const std::size_t count = result_.pieces.size();
     parents_.assign(count, kNone);
     for (Index p = 0; p < count; ++p)
@@ -85,10 +87,30 @@ class PieceFinder {
     }
   }
 
+  // Of each piece a corner where no other piece is: pieces that touch there hide how they lie in
+  // each other. Else the middle of a face.
+  void findPoints() {
+    constexpr Index kSeveral = kNone - 1;
+    const std::vector<Index> place = weld(built_.positions.values());
+    std::vector<Index> pieceAt(place.size(), kNone);
+    for (std::size_t c = 0; c < corners_.size(); ++c) {
+      Index& piece = pieceAt[place[corners_[c]]];
+      const Index own = result_.ofFace[c / 3];
+      if (piece != own) piece = piece == kNone ? own : kSeveral;
+    }
+    for (const Index seed : seeds_) {
+      const Triangle t = triangle(seed);
+      points_.push_back((t[0] + t[1] + t[2]) / 3);
+    }
+    for (std::size_t c = corners_.size(); c-- > 0;)
+      if (pieceAt[place[corners_[c]]] == result_.ofFace[c / 3])
+        points_[result_.ofFace[c / 3]] = built_.positions[Vertex(corners_[c])];
+  }
+
   // Of the closed pieces around this one, the smallest.
   Index innermostAround(Index piece, const TriangleTree& tree) const {
     std::map<Index, int> windings;
-    forEachRayCrossing(tree, triangle(seeds_[piece])[0],
+    forEachRayCrossing(tree, points_[piece],
                        [&](Index f, int crossing) { windings[result_.ofFace[f]] += crossing; });
     Index innermost = kNone;
     const auto size = [&](Index p) { return std::abs(result_.pieces[p].volume); };
@@ -122,6 +144,7 @@ class PieceFinder {
   Pieces result_;
   std::vector<char> isCrossed_;  // per piece
   std::vector<Index> seeds_;     // per piece its first face
+  std::vector<Vec3> points_;     // per piece a point of it
   std::vector<Index> parents_;   // per piece the closed piece that it lies in
 };
 

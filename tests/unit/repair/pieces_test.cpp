@@ -3,6 +3,9 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "support/hostile_shapes.h"
 #include "support/shapes.h"
 #include "support/soups.h"
@@ -54,4 +57,23 @@ TEST_CASE("pieces: one with a boundary is open, and lies in nothing") {
   const Pieces pieces = of(soups::joined({shapes::icosphere(3), open}));
   CHECK(pieces.pieces[0].kind == SurfacePiece::Kind::Solid);
   CHECK(pieces.pieces[1].kind == SurfacePiece::Kind::Open);
+}
+
+TEST_CASE("pieces: a cavity that touches the wall in a point is one, from whichever corner on") {
+  const TriangleMesh body = soups::cube(-1, 1);
+  TriangleMesh cavity = shapes::turnedOver(soups::cube(0.25, 1));
+  for (Vec3& p : cavity.positions)
+    if (p != Vec3::Ones()) p *= 0.5;
+  for (std::size_t first = 0; first < cavity.indices.size(); ++first) {
+    TriangleMesh begun = cavity;
+    const auto all = begun.indices.begin();
+    for (std::size_t t = 0; t < cavity.triangleCount(); ++t)
+      std::rotate(all + std::ptrdiff_t(3 * t), all + std::ptrdiff_t(3 * t + first % 3),
+                  all + std::ptrdiff_t(3 * t + 3));
+    std::rotate(all, all + std::ptrdiff_t(first / 3 * 3), begun.indices.end());
+    const Pieces pieces = of(soups::joined({body, begun}));
+    REQUIRE(pieces.pieces.size() == 2);
+    CHECK(pieces.pieces[1].kind == SurfacePiece::Kind::Cavity);
+    CHECK(!pieces.pieces[1].isInsideOut);
+  }
 }
