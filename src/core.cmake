@@ -282,6 +282,8 @@ set(small
   src/remesh/quads/quad_sizes.cpp
   src/remesh/quads/shape/chords.cpp
   src/remesh/quads/shape/collapse.cpp
+  src/remesh/quads/shape/fair_system.cpp
+  src/remesh/quads/shape/fairing.cpp
   src/remesh/quads/shape/finish.cpp
   src/remesh/quads/shape/mending.cpp
   src/remesh/quads/shape/plane_sides.cpp
@@ -292,6 +294,7 @@ set(small
   src/remesh/quads/shape/side_places.cpp
   src/remesh/quads/shape/smoothing.cpp
   src/remesh/quads/shape/thin_protrusions.cpp
+  src/remesh/quads/shape/tip_distances.cpp
   src/remesh/schemes/attribute_lengths.cpp
   src/remesh/schemes/best.cpp
   src/remesh/schemes/bodies.cpp

@@ -25,6 +25,8 @@ constexpr double kNearMaximum = 0.8;
 // The least number of triangles to try, and the number of vertices to each try in a large mesh,
 // where few triangles decide.
 constexpr std::size_t kTries = 100;
+// Of quads: a moved vertex bends two rows, and more tries hardly lower the largest distance.
+constexpr std::size_t kTriesOfQuads = 30;
 // A point between two shells is far from both, and about as near to one as to the other: a try
 // there may look at millions of the original's triangles. If a mesh passes through itself all over,
 // a try may look at as many of the mesh's own.
@@ -45,7 +47,7 @@ class Descent {
         mesh_(run.mesh.mesh()),
         distances_(run),
         crossings_(run.mesh),
-        tries_(std::max(kTries, mesh_.vertexCount() / kTries)),
+        tries_(std::max(run.asked.areQuads ? kTriesOfQuads : kTries, mesh_.vertexCount() / kTries)),
         mostLooks_(looked() + kLooksPerTry * tries_) {
     for (Index i = 0; i < mesh_.faceCapacity(); ++i)
       if (mesh_.isAlive(Face(i))) push(Face(i));

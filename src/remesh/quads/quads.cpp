@@ -14,6 +14,7 @@
 #include "remesh/quads/mesh/quad_parts.h"
 #include "remesh/quads/pair/pairing.h"
 #include "remesh/quads/quad_sizes.h"
+#include "remesh/quads/shape/fairing.h"
 #include "remesh/quads/shape/finish.h"
 #include "remesh/quads/shape/plane_sides.h"
 #include "remesh/quads/shape/quad_tips.h"
@@ -207,7 +208,10 @@ class QuadMaking {
     }
     if (goal_.isForced && partFromImages(best->mesh, goal_.mirrors, bases_.first()) > 0)
       settle(best->mesh, bases_.first());
-    if (!goal_.isDraft) reachTips(best->mesh, bases_.first(), kSmoothingSweeps);
+    if (!goal_.isDraft) {
+      reachTips(best->mesh, bases_.first(), kSmoothingSweeps);
+      fair(best->mesh, bases_.first());
+    }
     return std::move(*best);
   }
 

@@ -3,17 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
 
 #include "geometry/triangle.h"
-#include "geometry/triangle_tree.h"
 #include "original/surface/surface_walk.h"
 #include "remesh/quads/mesh/triangulated.h"
 #include "remesh/quads/shape/quad_patch.h"
 #include "remesh/quads/shape/smoothing.h"
+#include "remesh/quads/shape/tip_distances.h"
 
 namespace remesher {
 
@@ -21,15 +20,6 @@ namespace {
 
 // In mean sides of quads: a vertex farther away is a tip.
 constexpr double kTip = 0.3;
-
-// A vertex of the original.
-struct Tip {
-  Index vertex;
-  CurvePoint on;  // its place if it is on a curve and no corner
-  double distance = 0;
-  Index triangle = kNone;  // of QuadTree: one that is near enough, else the nearest one
-  Index quad() const { return triangle / 2; }
-};
 
 // The squared distance from p to the nearest triangle; to any, if that is `enough` or less.
 double distanceFrom(const QuadMesh& mesh, const std::vector<Index>& triangles, const Vec3& p,
@@ -52,55 +42,6 @@ double fromOriginal(const QuadMesh& mesh, const Four<Index>& quad, const Vec3& p
       return (ground.surface().position(at) - p).squaredNorm();
     }
   return 0;
-}
-
-// All vertices of the original but corners, which quads have already.
-std::vector<Tip> possibleTips(const OriginalSurface& surface) {
-  const HalfedgeMesh& original = surface.mesh();
-  std::vector<Tip> tips;
-  std::vector<char> isOnCurve(original.vertexCapacity(), 0);
-  const auto& chains = surface.curves().chains();
-  for (Index i = 0; i < chains.size(); ++i)
-    for (std::size_t k = 0; k < chains[i].vertices.size(); ++k) {
-      const Vertex v = chains[i].vertices[k];
-      isOnCurve[v.index] = 1;
-      if (k > 0 && k + 1 < chains[i].vertices.size())
-        tips.push_back({v.index, {i, chains[i].arcs[k]}});
-    }
-  for (Index v = 0; v < original.vertexCapacity(); ++v)
-    if (original.isAlive(Vertex(v)) && !isOnCurve[v]) tips.push_back({v, {}});
-  return tips;
-}
-
-// A tree of the quads as triangles, two each.
-class QuadTree {
- public:
-  explicit QuadTree(const QuadMesh& mesh) : indices_(trianglesOf(mesh)) {
-    for (const Placement& place : mesh.vertices) positions_.push_back(place.position);
-    tree_.emplace(positions_, indices_);
-  }
-
-  const TriangleTree& operator*() const { return *tree_; }
-
- private:
-  std::vector<Vec3> positions_;
-  std::vector<Index> indices_;
-  std::optional<TriangleTree> tree_;
-};
-
-// Measures the distances of all that may be tips. Most are still near the triangle that they were
-// near before, or that the vertex before them is near: then less than `least` is enough to know.
-void measure(std::vector<Tip>& possible, const QuadMesh& mesh, const OriginalSurface& surface,
-             double least) {
-  const QuadTree tree(mesh);
-  Index before = 0;
-  for (Tip& tip : possible) {
-    const Vec3& p = surface.positions()[Vertex(tip.vertex)];
-    const auto found =
-        (*tree).nearestBeyond(least, p, tip.triangle == kNone ? before : tip.triangle);
-    tip.triangle = before = found.triangle;
-    tip.distance = std::sqrt(found.squaredDistance);
-  }
 }
 
 // Those farther away than `least`, the farthest first: of each quad as many as it has corners.
@@ -246,7 +187,7 @@ void reachTips(QuadMesh& mesh, const WorkingMesh& ground, int smoothings) {
   std::vector<Placement> best = mesh.vertices;
   double farthest = kInfinity;
   for (;;) {
-    measure(possible, mesh, ground.surface(), least);
+    measure(possible, QuadTree(mesh), ground.surface(), least);
     const std::vector<Tip> tips = farthestFirst(possible, mesh.quads.size(), least);
     if (tips.empty()) return;
     // A round that gains less than a hundredth is followed by others that gain nothing.

@@ -13,8 +13,6 @@ namespace {
 // Of the way to the mean of the rectangles, for all quads are fitted before any vertex moves; and
 // of the vertex's last step, which it makes again [Polyak 1964].
 constexpr double kStep = 0.8;
-// How square the rectangles are.
-constexpr double kSquareness = 0.2;
 // Directions of a search for a better place, and searches in all.
 constexpr int kDirections = 8, kSearches = 5;
 // Of what a search wants to lessen: less is not worth a step.

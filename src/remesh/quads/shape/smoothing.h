@@ -11,6 +11,8 @@ namespace remesher {
 
 // The sine of 30°: corners with a larger one are sound.
 constexpr double kEnough = 0.5;
+// How square the rectangles are.
+constexpr double kSquareness = 0.2;
 
 // Runs so many passes over all vertices that are not marked. No corner becomes worse than 30°.
 void smoothToRectangles(MovingQuads& quads, int passes, std::span<const char> isFixed);
