@@ -210,7 +210,7 @@ class QuadMaking {
       settle(best->mesh, bases_.first());
     if (!goal_.isDraft) {
       reachTips(best->mesh, bases_.first(), kSmoothingSweeps);
-      fair(best->mesh, bases_.first());
+      if (best->mesh.vertices.size() <= kMostFaired) fair(best->mesh, bases_.first());
     }
     return std::move(*best);
   }
