@@ -96,7 +96,7 @@ TEST_CASE("fairing: quads of a smooth surface have smoother rows, better angles,
   QuadMesh after = before;
   fair(after, ground);
   CHECK(check(after) == "");
-  CHECK(ripple(after) < 0.2 * ripple(before));
+  CHECK(ripple(after) < 0.01 * ripple(before));
   CHECK(skew(after) < skew(before));
   CHECK(away(after) < 0.5 * away(before));
 }
