@@ -74,7 +74,8 @@ class FacetRefinement {
       return mesh_.isLine(HalfedgeMesh::halfedge(f, int(k % 3)));
     };
     if (isLine(least + 1) && isLine(least + 2)) return radius;
-    return radius * radius / corners.length(least);
+    const double thin = radius / corners.length(least);
+    return radius * thin * std::sqrt(thin);
   }
 
   bool isDeep(Face f) const {
