@@ -16,6 +16,7 @@
 #include "jobs/parts/part_report.h"
 #include "jobs/repair_words.h"
 #include "jobs/run_guards.h"
+#include "measure/self_intersections.h"
 #include "repair/boolean.h"
 
 namespace remesher {
@@ -151,12 +152,14 @@ BooleanRun runOf(OperandPair pair, BooleanOperation operation, const Progress& p
   progress.phase("boolean", 0.4, 0.9);
   United found = arrangedOf(pair, bodies, operation);
   progress.phase("measure", 0.9, 1);
-  run.boolean = {operation, found.cut, found.crossings.size()};
-  if (!found.crossings.empty())
-    run.report.warnings.push_back(
-        {"CROSSINGS_LEFT", "Triangles intersect others.", found.crossings.size()});
+  const std::size_t cut = found.cut;
   run.part = scaled.undone(
       {pair.parts[0].name, std::move(found.mesh), {Transform::Identity()}, std::move(pair.groups)});
+  // Of the written numbers: rounding to them may leave others than those of the unit size.
+  const std::size_t crossings = selfIntersections(run.part.mesh).size();
+  run.boolean = {operation, cut, crossings};
+  if (crossings > 0)
+    run.report.warnings.push_back({"CROSSINGS_LEFT", "Triangles intersect others.", crossings});
   run.report.output = inspectScaled({run.part});
   sayTouching(run);
   return run;

@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "io/formats.h"
+#include "measure/self_intersections.h"
 #include "remesher.h"
 #include "support/hostile_shapes.h"
 #include "support/shapes.h"
@@ -254,4 +256,24 @@ TEST_CASE("boolean: bodies that touch along an edge share it, which is said") {
   CHECK(codesOf({1, 1, 0}) == std::vector<std::string>{"NON_MANIFOLD_EDGES_MADE"});
   CHECK(codesOf({1, 0, 0}).empty());
   CHECK(codesOf({0.5, 0.5, 0}).empty());
+}
+
+TEST_CASE("boolean: intersections are those of the numbers that are written") {
+  soups::Random random(4);
+  for (int trial = 0; trial < 120; ++trial) {
+    const Eigen::AngleAxisd turn(3 * random.number(), random.point().normalized());
+    const Eigen::AngleAxisd little(2e-8 * random.number(), Vec3::UnitX());
+    TriangleMesh one = trial % 2 == 0 ? shapes::icosphere(3 + trial % 5) : shapes::torus(16, 8),
+                 other = one;
+    for (Vec3& p : one.positions)
+      p = Vec3(turn * p + Vec3(0.3, -0.7, 0.5)).cast<float>().cast<double>();
+    for (Vec3& p : other.positions)
+      p = Vec3(little * (turn * p + Vec3(0.3, -0.7, 0.5))).cast<float>().cast<double>();
+    try {
+      const BooleanResult result = boolean(one, other, BooleanOperation::Subtract);
+      CHECK(result.boolean.selfIntersections == selfIntersections(result.mesh).size());
+    } catch (const Error& error) {
+      CHECK(error.code == ErrorCode::NoTriangles);
+    }
+  }
 }
