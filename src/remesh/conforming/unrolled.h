@@ -18,8 +18,8 @@ struct Unrolled {
 };
 
 // facets: per face its facet, from 0 on. fixed: edges that stay the border of a region. depth: how
-// far an edge across two facets may be from the line between them, model units; with 0 each facet is
-// a region by itself. tolerance: the rounding of the coordinates.
+// far an edge across two facets may be from the line between them, model units; with 0 each facet
+// is a region by itself. tolerance: the rounding of the coordinates.
 Unrolled unrollFacets(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
                       const FaceData<Index>& facets, const HalfedgeData<char>& fixed, double depth,
                       double tolerance);

@@ -57,8 +57,7 @@ constexpr std::array kRules = {
          {is(Fact::FacetsBetter), is(Fact::FacetsUnrolled)},
          Candidate::Conforming,
          "Facets of round walls and fillets, too narrow for well-shaped triangles, were unrolled "
-         "and "
-         "meshed together: the triangles there are hardly seen to be away."},
+         "and meshed together: the triangles there are hardly seen to be away."},
     Rule{Decision::Surface,
          "facets-conforming",
          {is(Fact::FacetsBetter)},
