@@ -274,6 +274,7 @@ bool ShapeComparison::mayConform(const WorkingMesh& isotropic) {
 bool ShapeComparison::isConformingBetter(const WorkingMesh& isotropic) {
   if (!mayConform(isotropic) || !conforming()) return false;
   if (isSeen(isotropic)) return !isIsotropicInstead(isotropic);
+  if (isUnrolled()) return false;
   return qualityOf(conforming()->mesh).mean >= qualityOf(isotropic).mean - kHardlyLess;
 }
 
