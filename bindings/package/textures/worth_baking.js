@@ -20,9 +20,9 @@ const trianglesOf = ({ meshes = [], accessors = [] }) => meshes
  * Several materials become one. Triangles that all stay keep their own texture coordinates, and so
  * do cards whose alpha cuts them out: many leaves share the texels of one.
  * @param {Uint8Array} bytes of a GLB or glTF
- * @param {number | undefined} faces the budget, if there is one
+ * @param {number} faces the budget; 0: there is none
  */
-export function isWorthBaking(bytes, faces = 0) {
+export function isWorthBaking(bytes, faces) {
   try {
     const tree = JSON.parse(openContainer(bytes).text);
     const materials = tree.materials ?? [];

@@ -255,7 +255,7 @@ async function withPresetSettled(job) {
   if (canBake(job)) {
     const { bytes } = /** @type {FileJob} */ (job).file;
     const { isWorthBaking } = await import('../textures/worth_baking.js');
-    if (!isGltf(bytes) || isWorthBaking(bytes, job.options.faces)) return job;
+    if (!isGltf(bytes) || isWorthBaking(bytes, Number(job.options.faces ?? 0))) return job;
   }
   return { ...job, options: withoutPresetBaking(job.options) };
 }

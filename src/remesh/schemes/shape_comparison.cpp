@@ -108,6 +108,10 @@ std::optional<Followed> divided(Followed followed, std::size_t places, std::size
   return followed;
 }
 
+bool keepsVolume(const Surface& original, const Surface& made) {
+  return std::abs(changeOfVolume(original, made)) <= kMostOfVolume;
+}
+
 // The better of both ways.
 std::optional<Followed> bestDivided(const Followed& followed, std::size_t places,
                                     std::size_t vertices, Textures textures) {
@@ -240,18 +244,20 @@ std::optional<Followed>& ShapeComparison::conforming() {
 // Facets too narrow for well-shaped triangles are unrolled: the less the triangles may be away from
 // the original by then, the better. If none are well shaped, much wider angles do.
 void ShapeComparison::unrollFacets() {
+  const BuiltMesh& built = original_.surface().built();
   const AngleQuality facets = qualityOf(conforming_->mesh);
   const double most = facets.hasNeedles() ? kInsteadOfNeedles : kInsteadOfPoor;
   for (double farthest = 1; farthest <= most; farthest *= 2) {
     const double depth = kChord * farthest * unseen_;
-    std::optional<Followed> made =
-        conformed(original_.surface().built(), input_, original_.places(), textures_, depth);
+    std::optional<Followed> made = conformed(built, input_, original_.places(), textures_, depth);
     if (!made) continue;
     const AngleQuality quality = qualityOf(made->mesh);
     // Narrow angles between lines are the part's own.
     if (quality.least < std::min(kGoodLeast, facets.least)) continue;
     const bool isGood = quality.mean >= kGoodIsotropic;
     if (!isGood && quality.mean < facets.mean + kMuchWider) continue;
+    const BuiltMesh unrolled = buildMesh(made->mesh);
+    if (!keepsVolume({built.mesh, built.positions}, {unrolled.mesh, unrolled.positions})) continue;
     conforming_ = std::move(made);
     farthest_ = farthest;
     if (isGood) return;
@@ -293,7 +299,7 @@ bool ShapeComparison::keepsPart(const WorkingMesh& isotropic) {
     return false;
   const Surface original{built.mesh, built.positions};
   const Surface made{isotropic.mesh(), isotropic.positions()};
-  return std::abs(changeOfVolume(original, made)) <= kMostOfVolume &&
+  return keepsVolume(original, made) &&
          shareOfSharpEdges(original, made, kNearEdge * unseen_) >= kMostOfEdges;
 }
 

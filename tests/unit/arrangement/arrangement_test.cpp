@@ -358,22 +358,25 @@ TEST_CASE("arrangement: the size of the coordinates does not matter") {
   }
 }
 
-TEST_CASE("arrangement: plates on each other, turned and rounded, are one body without crossings") {
+TEST_CASE("arrangement: plates on each other, turned and rounded, seldom keep an intersection") {
   // In other axes the plates' common planes are apart by roundings, so that their parts lie on each
   // other as near as numbers tell.
+  constexpr int kTrials = 30;
   soups::Random random(11);
-  for (int trial = 0; trial < 6; ++trial) {
+  int crossed = 0;
+  for (int trial = 0; trial < kTrials; ++trial) {
     TriangleMesh plates;
-    double most = 0;
     for (int i = 0; i < 3; ++i) {
       const Vec3 low = (6 * random.point()).array().round() / 4, size(1.5, 1, 0.5 + 0.25 * (i % 3));
       const Vec3 onGround(low.x(), low.y(), i % 2 == 0 ? 0 : 0.5);
       plates = soups::joined({plates, box(onGround, onGround + size)});
-      most += size.prod();
     }
-    const ArrangementResult flat = arranged(inputOf(plates));
-    const ArrangementResult turned = arranged(inputOf(anywhere(plates, random)), isWound, true);
-    CHECK(volumeOf(flat) <= most);
-    CHECK(volumeOf(turned) == doctest::Approx(volumeOf(flat)).epsilon(1e-5));
+    const ArrangementInput input = inputOf(anywhere(plates, random));
+    const ArrangementResult turned = arrange(input, {isWound, true});
+    REQUIRE(turned.outcome == Outcome::Done);
+    CHECK(isClosed(turned));
+    CHECK(volumeOf(turned) == doctest::Approx(volumeOf(arranged(inputOf(plates)))).epsilon(1e-5));
+    crossed += turned.selfIntersections.empty() ? 0 : 1;
   }
+  CHECK(crossed <= kTrials / 5);
 }
