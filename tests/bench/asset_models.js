@@ -114,7 +114,8 @@ function generatedBody(p) {
     ball(p, [-0.3, -0.9, 0], 0.35), ball(p, [0.35, -0.9, 0.1], 0.35)) + bumps;
   const hollows = Math.min(ball(p, [0, 0, 0], 0.4), ball(p, [0.1, 0.9, 0], 0.2));
   const crumbs = Math.min(...Array.from({ length: 9 }, (_, k) => ball(p,
-    [1.3 * Math.cos(2.4 * k), 1.2 * Math.sin(1.7 * k), 1.3 * Math.sin(2.4 * k)], 0.03 + 0.001 * k)));
+    [1.3 * Math.cos(2.4 * k), 1.2 * Math.sin(1.7 * k), 1.3 * Math.sin(2.4 * k)],
+    0.03 + 0.001 * k)));
   return Math.min(Math.max(body, -hollows), crumbs);
 }
 
@@ -128,7 +129,8 @@ const addPrimitive = (maker, { positions, texcoords, indices }, material) => ({
   material,
 });
 
-const addImage = (maker, picture) => ({ bufferView: maker.addView(picture), mimeType: 'image/png' });
+const addImage = (maker, picture) =>
+  ({ bufferView: maker.addView(picture), mimeType: 'image/png' });
 
 const textured = (index, rest = {}) =>
   ({ pbrMetallicRoughness: { baseColorTexture: { index }, metallicFactor: 0 }, ...rest });
@@ -210,7 +212,7 @@ export const assetModels = {
   'generated body': () => generated(64, 8),
   'thousands of charts': () => generated(48, 24),
   'four materials': fourMaterials,
-  'foliage': foliage,
-  'cloth': cloth,
+  foliage,
+  cloth,
   'skinned figure': () => skinnedTorus().bytes,
 };

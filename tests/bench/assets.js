@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the preset `asset` makes of textured models: one run each, to a number of triangles, with two
-// levels of detail; its look beside meshoptimizer's simplification to as many triangles.
+// What the preset `asset` makes of textured models: one run each, to a number of triangles, with
+// two levels of detail; its look beside meshoptimizer's simplification to as many triangles.
 import { readdirSync, readFileSync } from 'node:fs';
 import { basename, join } from 'node:path';
 

@@ -142,8 +142,8 @@ export async function runQuads(limits, { folder, names }) {
     const found = { ...evaluate(mesh), hausdorff: judgement.fidelity.hausdorff };
     broken.push(...brokenLimits(found, row, judgement).map((line) => `${name}: ${line}`));
     rows.push([name, judgement.result.vertices, found.irregular, fixed(found.mean, 1),
-      fixed(found.p95, 1), fixed(found.jacobian, 2), fixed(found.hausdorff, 2), fixed(found.ripple, 0),
-      fixed(seconds, 1)]);
+      fixed(found.p95, 1), fixed(found.jacobian, 2), fixed(found.hausdorff, 2),
+      fixed(found.ripple, 0), fixed(seconds, 1)]);
   }
   return { table: markdownTable(columns, rows), broken };
 }

@@ -86,8 +86,10 @@ test('a model within the budget keeps its textures and triangles, and so do leav
         ({ alphaMode, pbrMetallicRoughness: { baseColorTexture: { index: 0 } } })),
     });
     return made.show(Array.from({ length: count }, (_, material) => ({
-      attributes: { POSITION: made.add(Float32Array.from(positions, (x) => x + 9 * material), 'VEC3'),
-        TEXCOORD_0: made.add(texcoords, 'VEC2') },
+      attributes: {
+        POSITION: made.add(Float32Array.from(positions, (x) => x + 9 * material), 'VEC3'),
+        TEXCOORD_0: made.add(texcoords, 'VEC2'),
+      },
       indices: made.addIndices(indices), material,
     }))).glb().bytes;
   };

@@ -37,7 +37,8 @@ export function png(width, height, colour) {
   }
   return new Uint8Array(Buffer.concat([
     Buffer.from([0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a]),
-    chunk('IHDR', Buffer.from([...word(width), ...word(height), 8, channels === 4 ? 6 : 2, 0, 0, 0])),
+    chunk('IHDR', Buffer.from(
+      [...word(width), ...word(height), 8, channels === 4 ? 6 : 2, 0, 0, 0])),
     chunk('IDAT', deflateSync(rows)),
     chunk('IEND', Buffer.alloc(0)),
   ]));

@@ -62,7 +62,9 @@ export async function compared(page, { hasQuads = false } = {}) {
   const before = await page.evaluate(() => globalThis.jobs.length);
   const all = await savedInAll(page);
   const jobs = await page.evaluate((count) => globalThis.jobs.slice(count), before);
-  assert.deepEqual([...new Set(jobs)], ['convertFile'], 'nothing is remeshed again');
+  // The model may still be looked through for faults.
+  const own = jobs.filter((job) => job !== 'inspectFile');
+  assert.deepEqual([...new Set(own)], ['convertFile'], 'nothing is remeshed again');
   const [, vertices] = await reportRow(page, 'Vertices');
   const [, faces] = await reportRow(page, hasQuads ? 'Quads' : 'Triangles');
   const { surface } = all.glb;

@@ -81,7 +81,7 @@ function targetOf(purpose, amount, { diagonal, unit }) {
 const ofRepair = ['repair', 'dropBelow'];
 
 /** The options of a purpose besides its number: those of the package's preset. New textures are
- * painted only where the old ones lie in many pieces. A lighter model keeps its openings and all its
+ * painted only where the old ones lie in many pieces. A lighter model keeps its openings and its
  * pieces: to repair it is a purpose of its own, and may cost looks.
  * @param {Purpose} purpose @param {Subject} subject @returns {Values} */
 function optionsOf(purpose, { isBaked }) {

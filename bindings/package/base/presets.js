@@ -16,8 +16,8 @@
 /** The table of presets. @type {readonly Preset[]} */
 export const presets = [
   { name: 'asset', help: 'a generated or scanned model for a scene, a game or AR: without '
-    + 'floaters, repaired where it is broken, vertices where shape and looks need them, new textures '
-    + 'in one set',
+    + 'floaters, repaired where it is broken, vertices where shape and looks need them, new '
+    + 'textures in one set',
   values: { repair: 'auto', dropBelow: 'auto', prefer: 'shape', textures: 'bake',
     textureFormat: 'webp' } },
   { name: 'print', help: 'a closed body for printing, within 0.2 % of the diagonal',
