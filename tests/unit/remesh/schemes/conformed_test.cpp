@@ -133,12 +133,10 @@ TEST_CASE("conformed: round parts get well-shaped triangles, and nearer ones wit
   const TriangleMesh tube = turnedAbout({{8, 0}, {10, 0}, {10, 40}, {8, 40}}, 64);
   const TriangleMesh bolt =
       turnedAbout({{0, 0}, {4, 0}, {5, 1}, {5, 20}, {9, 20}, {9, 25}, {8, 26}, {0, 26}}, 80);
-  const TriangleMesh bowl = turnedAbout({{0, 0}, {10, 0}, {10, 8}, {9, 8}, {9, 1}, {0, 1}}, 96);
-  const TriangleMesh plate = shapes::drilledPlate(16, 2);
   const struct Case {
     const TriangleMesh& part;
     std::vector<double> times;
-  } cases[] = {{tube, {6, 10, 16}}, {bolt, {4, 6, 8}}, {bowl, {4, 6, 8}}, {plate, {6, 10, 16}}};
+  } cases[] = {{tube, {6, 16}}, {bolt, {4, 8}}};
   for (const auto& [part, all] : cases) {
     double before = 0.2;
     for (const double times : all) {
