@@ -281,18 +281,20 @@ SceneRun remeshInBudget(const SceneInput& input, const RemeshOptions& wanted,
 }
 
 // The options of a level of detail: a share of the whole's target, raised to the fewest vertices
-// that the surface needs.
-RemeshOptions optionsOfLevel(RemeshOptions options, double share) {
+// that the surface needs. A budget may be more than the finest level has.
+RemeshOptions optionsOfLevel(RemeshOptions options, double share, const Report& finest) {
   options.lods.clear();
   options.tooFew = TooFew::Raise;
-  if (options.faces)
-    options.faces = Index(std::max(1.0, std::floor(share * double(*options.faces))));
-  else if (options.vertices)
+  if (options.faces) {
+    const double most = std::min(double(*options.faces), double(facesOf(*finest.output)));
+    options.faces = Index(std::max(1.0, std::floor(share * most)));
+  } else if (options.vertices) {
     options.vertices = Index(std::max(1LL, std::llround(share * double(*options.vertices))));
-  else if (options.edgeLength)
+  } else if (options.edgeLength) {
     *options.edgeLength /= std::sqrt(share);
-  else
+  } else {
     options.ratio = share * options.ratio.value_or(1);
+  }
   return options;
 }
 
@@ -321,7 +323,7 @@ std::vector<SceneRun> remeshCoarser(const SceneInput& input, const RemeshOptions
     const Progress part = progress.part(begin, begin + 1 / count).timedBy(clock);
     const Report& finer = runs.empty() ? finest : runs.back().report;
     SceneRun run = options.lodsBy == LodsBy::Shares
-                       ? remeshInBudget(input, optionsOfLevel(options, share), part)
+                       ? remeshInBudget(input, optionsOfLevel(options, share, finest), part)
                        : withinPixels(share, finer, [&](Index vertices) {
                            return remeshInspected(input, optionsOfPixels(options, vertices), part);
                          });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How much of what is seen of bodies their union has lost: where a surface passes through itself
-// and goes on inside out, nothing is inside behind it.
+// The share of the visible surface of bodies that their union has lost. Beyond a self-intersection
+// a surface may be inverted, and the union has no inside behind it.
 #pragma once
 
 #include <span>

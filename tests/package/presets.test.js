@@ -93,11 +93,13 @@ test('a model within the budget keeps its textures and triangles, and so do leav
       indices: made.addIndices(indices), material,
     }))).glb().bytes;
   };
-  const stoodFor = (bytes, faces) => remeshFile(bytes,
-    { name: 'ring.glb', preset: 'asset', faces, textureSize: 64 });
+  const stoodFor = (bytes, faces, more) => remeshFile(bytes,
+    { name: 'ring.glb', preset: 'asset', faces, textureSize: 64, ...more });
   const within = await stoodFor(maker('OPAQUE', 1), 5000);
   assert.equal(within.report.preset.textures, undefined);
   assert.equal(within.report.output.triangles, ring.indices.length / 3);
+  const { report: { lods } } = await stoodFor(maker('MASK', 1), 5000, { lods: [0.5] });
+  assert.ok(lods[0].output.triangles <= ring.indices.length / 6, 'a level has its share of them');
   assert.equal((await stoodFor(maker('MASK', 1), 300)).report.preset.textures, undefined);
   assert.equal((await stoodFor(maker('OPAQUE', 1), 300)).report.preset.textures, 'bake');
   assert.equal((await stoodFor(maker('OPAQUE', 2), 5000)).report.preset.textures, 'bake');

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A GLB with fewer triangles, spread evenly over its surfaces, on no more vertices than they need:
-// a screen cannot show more. The surfaces of the file itself are told on request.
+// a screen cannot show more. The surfaces of the file itself are sent on request.
 import { glbOf, openGlb } from '../files/glb.js';
 import { fewerTriangles } from '../triangles/fewer_triangles.js';
 
