@@ -63,6 +63,7 @@ set(linear
   src/simplify/attribute_quadrics.cpp
   src/simplify/boundary_places.cpp
   src/simplify/simplify.cpp
+  src/simplify/slabs.cpp
   src/simplify/thin_out.cpp
   src/textures/painting/cage_finder.cpp
   src/textures/painting/canvas.cpp
@@ -209,6 +210,7 @@ set(small
   src/mesh/orientation.cpp
   src/mesh/quad_loops.cpp
   src/mesh/space_order.cpp
+  src/mesh/submesh.cpp
   src/mesh/topology.cpp
   src/mesh/used_vertices.cpp
   src/original/curves/chain_tracing.cpp

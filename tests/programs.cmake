@@ -104,6 +104,7 @@ add_executable(unit_tests
   tests/unit/mesh/orientation_test.cpp
   tests/unit/mesh/quad_loops_test.cpp
   tests/unit/mesh/space_order_test.cpp
+  tests/unit/mesh/submesh_test.cpp
   tests/unit/mesh/topology_test.cpp
   tests/unit/mesh/used_vertices_test.cpp
   tests/unit/mesh/welding_test.cpp
@@ -233,6 +234,7 @@ add_executable(unit_tests
   tests/unit/simplify/boundary_places_test.cpp
   tests/unit/simplify/divide_test.cpp
   tests/unit/simplify/simplify_test.cpp
+  tests/unit/simplify/slabs_test.cpp
   tests/unit/simplify/thin_out_test.cpp
   tests/unit/textures/bake_onto_test.cpp
   tests/unit/textures/charts/atlas_figures_test.cpp

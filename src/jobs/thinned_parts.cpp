@@ -57,22 +57,27 @@ bool isFine(const io::Part& part, double asked, const ThinningLimits& limits) {
   return triangles > double(limits.triangles) && triangles > double(limits.perVertex) * asked;
 }
 
-// Bytes for each triangle: of reading, inspecting and thinning out, and of all work of remeshing.
-constexpr double kBytesToThinOut = 110, kBytesToRemesh = 600;
+// Bytes for each triangle: of reading, inspecting and thinning out; of a part that waits while
+// another is remeshed; and of all work of remeshing.
+constexpr double kBytesToThinOut = 75, kBytesToHold = 110, kBytesToRemesh = 600;
 
 // A soup has more vertices than its surface, a mesh with doubled triangles more triangles.
 double trianglesOf(const io::Part& part) {
   return std::min(double(part.mesh.triangleCount()), 2 * double(part.mesh.positions.size()));
 }
 
-// What parts need of which those of more triangles than `most` are thinned out to so many.
+// What parts need of which those of more triangles than `most` are thinned out to so many. What was
+// given is gone when the rest is remeshed.
 RoomNeeds needsOf(const std::vector<io::Part>& parts, double most) {
-  double all = 0, largest = 0;
+  double all = 0, left = 0, largest = 0;
   for (const io::Part& part : parts) {
-    all += trianglesOf(part);
-    largest = std::max(largest, std::min(most, trianglesOf(part)));
+    const double own = trianglesOf(part), kept = std::min(most, own);
+    all += own;
+    left += kept;
+    largest = std::max(largest, kept);
   }
-  return {all, kBytesToThinOut * all + (kBytesToRemesh - kBytesToThinOut) * largest};
+  const double toRemesh = kBytesToHold * left + (kBytesToRemesh - kBytesToHold) * largest;
+  return {all, std::max(kBytesToThinOut * all, toRemesh)};
 }
 
 // Two triangles for each vertex that is left.
@@ -83,16 +88,18 @@ double trianglesLeft(double asked, const ThinningLimits& limits) {
 // The most vertices of a result for which the largest part is thinned out, and all have room; below
 // 1 if there are none.
 double mostThinned(const std::vector<io::Part>& parts, const ThinningLimits& limits) {
-  const RoomNeeds least = needsOf(parts, trianglesLeft(0, limits));
-  if (!haveRoom(least, limits.addresses)) return 0;
-  double all = 0, largest = 0;
-  for (const io::Part& part : parts) {
-    all += trianglesOf(part);
-    largest = std::max(largest, trianglesOf(part));
+  const auto fits = [&](double asked) {
+    return haveRoom(needsOf(parts, trianglesLeft(asked, limits)), limits.addresses);
+  };
+  double largest = 0;
+  for (const io::Part& part : parts) largest = std::max(largest, trianglesOf(part));
+  double most = 0, tooMany = std::floor((largest - 1) / double(limits.perVertex)) + 1;
+  if (!fits(most)) return 0;
+  while (tooMany - most > 1) {
+    const double middle = std::floor((most + tooMany) / 2);
+    (fits(middle) ? most : tooMany) = middle;
   }
-  const double left = limits.addresses - kBytesToThinOut * all;
-  const double perVertex = 2 * double(limits.kept) * (kBytesToRemesh - kBytesToThinOut);
-  return std::floor(std::min((largest - 1) / double(limits.perVertex), left / perVertex));
+  return most;
 }
 
 std::string thinnedFor(double vertices) {
@@ -193,7 +200,11 @@ void ThinnedParts::thinOutFine(std::vector<io::Part>& parts, const RemeshOptions
 
 // Returns the first vertices at all places. The rest of the weldings, which is larger, goes.
 std::vector<std::vector<Index>> ThinnedParts::inspect(const std::vector<io::Part>& parts) {
-  std::vector<Welding> weldings = weldingsOf(parts);
+  std::vector<Welding> weldings;
+  for (const io::Part& part : parts) {
+    requireValid(part.mesh);
+    weldings.emplace_back(part.mesh, Twins::Unknown);
+  }
   input_ = inspectParts(parts, weldings, placesOf(parts));
   input_.diagonal = worldDiagonal(parts);
   std::vector<std::vector<Index>> first;

@@ -2,6 +2,7 @@
 #include "mesh/edge_groups.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "base/sort_pairs.h"
@@ -11,27 +12,61 @@ namespace remesher {
 
 namespace {
 
+// Edges are visited in so few ranges: each takes a pass over all corners.
+constexpr std::size_t kMostRanges = 10;
+
 // The edge's vertex with the larger number, and the halfedge.
 using Entry = std::pair<Index, Index>;
 
-// Counting sort of the halfedges by the vertex with the smaller number; `starts` gets one entry per
-// vertex and the end.
-struct Buckets {
+// Counting sort of the halfedges by the vertex with the smaller number, for a range of these
+// vertices at a time.
+class Buckets {
+ public:
   Buckets(std::size_t vertexCount, std::span<const Index> corners, Index perFace)
-      : starts(vertexCount + 1, 0), entries(corners.size()) {
-    const auto tip = [&](Index h) {
-      return corners[(h + 1) % perFace == 0 ? h + 1 - perFace : h + 1];
-    };
-    const auto lower = [&](Index h) { return std::min(corners[h], tip(h)); };
-    for (Index h = 0; h < corners.size(); ++h) ++starts[lower(h)];
-    Index sum = 0;
-    for (Index& start : starts) start = sum += start;
-    for (Index h = Index(corners.size()); h-- > 0;)
-      entries[--starts[lower(h)]] = {std::max(corners[h], tip(h)), h};
+      : corners_(corners), perFace_(perFace), starts_(vertexCount + 1, 0) {
+    for (Index h = 0; h < corners.size(); ++h) ++starts_[lower(h) + 1];
+    std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
   }
 
-  std::vector<Index> starts;
-  std::vector<Entry> entries;
+  // The end of the range from a vertex on that has so many halfedges, or one vertex.
+  std::size_t endOfRange(std::size_t from, std::size_t most) const {
+    std::size_t to = from + 1;
+    while (to + 1 < starts_.size() && starts_[to + 1] - starts_[from] <= most) ++to;
+    return to;
+  }
+
+  void gather(std::size_t from, std::size_t to) {
+    from_ = from, to_ = to;
+    entries_.resize(starts_[to] - starts_[from]);
+    std::vector<Index> at(starts_.begin() + std::ptrdiff_t(from),
+                          starts_.begin() + std::ptrdiff_t(to));
+    for (Index h = 0; h < corners_.size(); ++h) {
+      const Index v = lower(h);
+      if (v < from || v >= to) continue;
+      entries_[at[v - from]++ - starts_[from]] = {std::max(corners_[h], tip(h)), h};
+    }
+  }
+
+  // Visits the vertices of the range, in order: their entries, sorted.
+  template <class Visit>
+  void forEach(Visit visit) {
+    for (std::size_t v = from_; v < to_; ++v) {
+      const std::span<Entry> bucket =
+          std::span(entries_).subspan(starts_[v] - starts_[from_], starts_[v + 1] - starts_[v]);
+      sortPairs(bucket);
+      visit(bucket);
+    }
+  }
+
+ private:
+  Index tip(Index h) const { return corners_[(h + 1) % perFace_ == 0 ? h + 1 - perFace_ : h + 1]; }
+  Index lower(Index h) const { return std::min(corners_[h], tip(h)); }
+
+  std::span<const Index> corners_;
+  Index perFace_;
+  std::vector<Index> starts_;  // per vertex, and the end
+  std::size_t from_ = 0, to_ = 0;
+  std::vector<Entry> entries_;  // of the range
 };
 
 // A list per lower vertex of its edges, each named by its first halfedge.
@@ -79,20 +114,36 @@ std::vector<Index> plainTwins(std::size_t vertexCount, std::span<const Index> co
 
 EdgeGroups::EdgeGroups(std::size_t vertexCount, std::span<const Index> corners, Index perFace) {
   Buckets buckets(vertexCount, corners, perFace);
-  halfedges_.resize(corners.size());
+  buckets.gather(0, vertexCount);
+  halfedges_.reserve(corners.size());
   starts_.reserve(corners.size() / 2 + 2);
-  Index at = 0;
-  for (std::size_t v = 0; v < vertexCount; ++v) {
-    const std::span<Entry> bucket =
-        std::span(buckets.entries)
-            .subspan(buckets.starts[v], buckets.starts[v + 1] - buckets.starts[v]);
-    sortPairs(bucket);
+  buckets.forEach([&](std::span<const Entry> bucket) {
     for (std::size_t i = 0; i < bucket.size(); ++i) {
-      if (i == 0 || bucket[i].first != bucket[i - 1].first) starts_.push_back(at);
-      halfedges_[at++] = bucket[i].second;
+      if (i == 0 || bucket[i].first != bucket[i - 1].first)
+        starts_.push_back(Index(halfedges_.size()));
+      halfedges_.push_back(bucket[i].second);
     }
+  });
+  starts_.push_back(Index(halfedges_.size()));
+}
+
+void forEachEdgeOf(std::size_t vertexCount, std::span<const Index> corners,
+                   const std::function<void(std::span<const Index>)>& visit, std::size_t atOnce) {
+  Buckets buckets(vertexCount, corners, 3);
+  std::vector<Index> edge;
+  const std::size_t most = std::max(atOnce, corners.size() / kMostRanges);
+  for (std::size_t from = 0, to = 0; from < vertexCount; from = to) {
+    to = buckets.endOfRange(from, most);
+    buckets.gather(from, to);
+    buckets.forEach([&](std::span<const Entry> bucket) {
+      for (std::size_t i = 0; i < bucket.size(); ++i) {
+        edge.push_back(bucket[i].second);
+        if (i + 1 < bucket.size() && bucket[i + 1].first == bucket[i].first) continue;
+        visit(edge);
+        edge.clear();
+      }
+    });
   }
-  starts_.push_back(at);
 }
 
 }  // namespace remesher

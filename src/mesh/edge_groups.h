@@ -3,6 +3,7 @@
 // these groups, and the groups show where a surface is not a manifold.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -35,5 +36,11 @@ class EdgeGroups {
   std::vector<Index> halfedges_;
   std::vector<Index> starts_;  // per edge, and the end
 };
+
+// Visits the halfedges of each edge, as EdgeGroups lists them, in memory for a tenth of them at a
+// time or for `atOnce`, if that is more.
+void forEachEdgeOf(std::size_t vertexCount, std::span<const Index> corners,
+                   const std::function<void(std::span<const Index>)>& visit,
+                   std::size_t atOnce = 16'000'000);
 
 }  // namespace remesher

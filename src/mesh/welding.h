@@ -12,17 +12,17 @@
 
 namespace remesher {
 
+// Twins take much memory in a mesh of many millions of triangles, and only the builder needs them.
+enum class Twins : char { Found, Unknown };
+
 struct Welding {
   // mesh must be valid (see requireValid).
-  explicit Welding(const TriangleMesh& mesh);
+  explicit Welding(const TriangleMesh& mesh, Twins wanted = Twins::Found);
 
   // Visits each edge: all its halfedges, ascending, numbered as in `corners` (see EdgeGroups).
   template <class Visit>
   void forEachEdge(Visit visit) const {
-    if (twins.empty()) {
-      const EdgeGroups edges(first.size(), corners);
-      for (std::size_t e = 0; e < edges.size(); ++e) visit(edges[e]);
-    }
+    if (twins.empty()) forEachEdgeOf(first.size(), corners, visit);
     for (Index h = 0; h < twins.size(); ++h) {
       const std::array<Index, 2> edge = {h, twins[h]};
       if (h < twins[h]) visit(std::span(edge).first(twins[h] == kNone ? 1 : 2));

@@ -12,8 +12,10 @@
 
 #include "base/place.h"
 #include "geometry/triangle.h"
+#include "mesh/submesh.h"
 #include "mesh/used_vertices.h"
 #include "simplify/local_quadric.h"
+#include "simplify/slabs.h"
 
 namespace remesher {
 namespace {
@@ -27,6 +29,8 @@ constexpr std::size_t kPassPart = 2, kLeastPart = 200;
 constexpr std::size_t kSlices = 4;
 // Below this share of the longest edge's square, twice the area of a triangle may not shrink.
 constexpr double kThin = 0.05;
+// Slabs are left with so many times the vertices wanted, since some parts of the surface need more.
+constexpr std::size_t kLeftBySlabs = 2;
 
 // A neighbour of a vertex: the triangles before and after the edge to it, and whether the edge is a
 // border.
@@ -345,13 +349,53 @@ class ThinningOut {
   std::vector<Index> common_;
 };
 
+void thinOut(TriangleMesh& mesh, ThinOut wanted) {
+  const std::size_t count = wanted.vertices;
+  if (!mesh.indices.empty()) ThinningOut(mesh, std::move(wanted)).run(count);
+  keepUsedVertices(mesh);
+}
+
+void append(TriangleMesh& all, const TriangleMesh& more) {
+  const auto before = Index(all.positions.size());
+  all.positions.insert(all.positions.end(), more.positions.begin(), more.positions.end());
+  for (const Index v : more.indices) all.indices.push_back(before + v);
+  all.groups.insert(all.groups.end(), more.groups.begin(), more.groups.end());
+  for (std::size_t i = 0; i < all.attributes.size(); ++i) {
+    std::vector<float>& values = all.attributes[i].values;
+    const std::vector<float>& its = more.attributes[i].values;
+    values.insert(values.end(), its.begin(), its.end());
+  }
+}
+
+// Each slab is thinned out by itself, with the borders between slabs kept, to so few vertices that
+// all of them can be thinned out at once.
+TriangleMesh thinnedBySlabs(const TriangleMesh& mesh, const ThinOut& wanted) {
+  const std::size_t count = mesh.triangleCount() / wanted.atOnce + 1;
+  const double left = double(std::max(kLeftBySlabs * wanted.vertices, wanted.atOnce / 4));
+  const Slabs slabs(mesh, count);
+  TriangleMesh all;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::vector<Index> triangles = slabs[i];
+    const double share = double(triangles.size()) / double(mesh.triangleCount());
+    TriangleMesh slab = submeshOf(mesh, triangles).mesh;
+    thinOut(slab, {std::size_t(share * left), OpenBorders::Keep});
+    if (i == 0)
+      all = std::move(slab);
+    else
+      append(all, slab);
+  }
+  return all;
+}
+
 }  // namespace
 
 TriangleMesh thinnedOut(TriangleMesh mesh, ThinOut wanted) {
   mesh.isQuads = false;
-  const std::size_t count = wanted.vertices;
-  if (!mesh.indices.empty()) ThinningOut(mesh, std::move(wanted)).run(count);
-  keepUsedVertices(mesh);
+  if (mesh.triangleCount() > wanted.atOnce) {
+    mesh = thinnedBySlabs(mesh, wanted);
+    wanted.first.clear();
+  }
+  thinOut(mesh, std::move(wanted));
   return mesh;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Thins out a mesh of millions of triangles in plain arrays, before anything larger is built of it:
-// about 100 bytes per vertex beside the mesh.
+// about 90 bytes per vertex beside the mesh, for as many triangles as are thinned out at once.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,8 @@ enum class OpenBorders : char { Shorten, Keep };
 struct ThinOut {
   std::size_t vertices = 0;  // wanted; more are left where no more may go
   OpenBorders borders = OpenBorders::Shorten;
-  std::vector<Index> first = {};  // per vertex the first at its place (see weld); empty if unknown
+  std::vector<Index> first = {};   // per vertex the first at its place (see weld); empty if unknown
+  std::size_t atOnce = 4'000'000;  // triangles; a larger mesh is thinned out in slabs, then whole
 };
 
 // Vertices go into neighbours, which stay where they are, those first that change the shape least

@@ -14,6 +14,7 @@
 #include "geometry/triangle.h"
 #include "geometry/triangle_tree.h"
 #include "mesh/joints.h"
+#include "mesh/submesh.h"
 #include "remesh/operators/projection.h"
 #include "remesh/quads/mesh/quad_parts.h"
 #include "remesh/schemes/guided.h"
@@ -106,36 +107,9 @@ std::vector<MirrorPlane> planesOf(const TriangleMesh& input, const RemeshOptions
   return findMirrorPlanes(input, kPlainlyNear * evenEdgeLength(extentOf(input).area, wished));
 }
 
-// A mesh of some triangles alone.
 SurfacePart partOf(const TriangleMesh& input, std::vector<Index> triangles) {
-  SurfacePart part;
-  std::vector<Index> numbers(input.positions.size(), kNone);
-  for (const Index t : triangles)
-    for (std::size_t k = 0; k < 3; ++k) numbers[input.indices[std::size_t{3} * t + k]] = 0;
-  for (Index v = 0; v < numbers.size(); ++v) {
-    if (numbers[v] == kNone) continue;
-    numbers[v] = Index(part.vertices.size());
-    part.vertices.push_back(v);
-    part.mesh.positions.push_back(input.positions[v]);
-  }
-  part.mesh.isSingle = input.isSingle;
-  part.mesh.frame = input.frame;
-  part.mesh.steps = input.steps;
-  for (const Index t : triangles) {
-    for (std::size_t k = 0; k < 3; ++k)
-      part.mesh.indices.push_back(numbers[input.indices[std::size_t{3} * t + k]]);
-    if (!input.groups.empty()) part.mesh.groups.push_back(input.groups[t]);
-  }
-  for (const Attribute& attribute : input.attributes) {
-    Attribute own{attribute.semantic, attribute.itemSize, {}};
-    for (const Index v : part.vertices) {
-      const auto first = attribute.values.begin() + std::ptrdiff_t(v) * attribute.itemSize;
-      own.values.insert(own.values.end(), first, first + attribute.itemSize);
-    }
-    part.mesh.attributes.push_back(std::move(own));
-  }
-  part.triangles = std::move(triangles);
-  return part;
+  Submesh part = submeshOf(input, triangles);
+  return {std::move(part.mesh), std::move(part.vertices), std::move(triangles), {}};
 }
 
 // The caller's wishes for places, which are by vertices of the whole, and a number of vertices.

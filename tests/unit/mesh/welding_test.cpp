@@ -43,7 +43,14 @@ TEST_CASE("welding: every edge is visited once, with all its halfedges") {
     if (shape.mesh.triangleCount() > 300) continue;
     CAPTURE(shape.name);
     const Welding welding(shape.mesh);
-    CHECK(edgesOf(welding) == sought(welding.corners));
+    const Edges all = sought(welding.corners);
+    CHECK(edgesOf(welding) == all);
+    CHECK(edgesOf(Welding(shape.mesh, Twins::Unknown)) == all);
+    Edges inRanges;
+    forEachEdgeOf(
+        welding.first.size(), welding.corners,
+        [&](std::span<const Index> edge) { inRanges.emplace(edge.begin(), edge.end()); }, 7);
+    CHECK(inRanges == all);
   }
 }
 

@@ -101,3 +101,22 @@ TEST_CASE("thin out: triangles with vertices of their own are one surface") {
   CHECK(thin.positions.size() == 400);
   CHECK(inspectMesh(thin).components == 1);
 }
+
+TEST_CASE("thin out: a mesh of several slabs is as many vertices as wanted, whole, and near") {
+  TriangleMesh sheet = wavySheet(120);
+  for (std::size_t i = 0; i < sheet.indices.size(); i += 3)
+    sheet.groups.push_back(sheet.positions[sheet.indices[i]].x() < 0.5 ? 0 : 1);
+  ThinOut wanted{1500};
+  wanted.atOnce = sheet.triangleCount() / 5;
+  const TriangleMesh thin = thinnedOut(sheet, wanted);
+  CHECK(thin.positions.size() == 1500);
+  CHECK(thin.groups.size() == thin.triangleCount());
+  CHECK(inspectMesh(thin).components == 1);
+  CHECK(inspectMesh(thin).eulerCharacteristic == 1);
+  CHECK(lengthOfBorder(thin, 0) == doctest::Approx(1));
+  CHECK(measureFidelity(sheet, thin).hausdorff < 0.1);
+  for (std::size_t v = 0; v < thin.positions.size(); ++v)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      CHECK(thin.attributes[0].values[3 * v + axis] ==
+            float(thin.positions[v][Eigen::Index(axis)]));
+}

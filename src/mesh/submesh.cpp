@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/submesh.h"
+
+#include <cstddef>
+
+namespace remesher {
+
+Submesh submeshOf(const TriangleMesh& whole, std::span<const Index> triangles) {
+  Submesh part;
+  std::vector<Index> numbers(whole.positions.size(), kNone);
+  for (const Index t : triangles)
+    for (std::size_t k = 0; k < 3; ++k) numbers[whole.indices[std::size_t{3} * t + k]] = 0;
+  for (Index v = 0; v < numbers.size(); ++v) {
+    if (numbers[v] == kNone) continue;
+    numbers[v] = Index(part.vertices.size());
+    part.vertices.push_back(v);
+  }
+  TriangleMesh& mesh = part.mesh;
+  mesh.isSingle = whole.isSingle, mesh.frame = whole.frame, mesh.steps = whole.steps;
+  mesh.positions.reserve(part.vertices.size());
+  for (const Index v : part.vertices) mesh.positions.push_back(whole.positions[v]);
+  mesh.indices.reserve(3 * triangles.size());
+  for (const Index t : triangles) {
+    for (std::size_t k = 0; k < 3; ++k)
+      mesh.indices.push_back(numbers[whole.indices[std::size_t{3} * t + k]]);
+    if (!whole.groups.empty()) mesh.groups.push_back(whole.groups[t]);
+  }
+  for (const Attribute& attribute : whole.attributes) {
+    mesh.attributes.push_back({attribute.semantic, attribute.itemSize, {}});
+    std::vector<float>& values = mesh.attributes.back().values;
+    for (const Index v : part.vertices) {
+      const auto at = attribute.values.begin() + std::ptrdiff_t(v) * attribute.itemSize;
+      values.insert(values.end(), at, at + attribute.itemSize);
+    }
+  }
+  return part;
+}
+
+}  // namespace remesher
