@@ -63,7 +63,6 @@ set(linear
   src/simplify/attribute_quadrics.cpp
   src/simplify/boundary_places.cpp
   src/simplify/simplify.cpp
-  src/simplify/slabs.cpp
   src/simplify/thin_out.cpp
   src/textures/painting/cage_finder.cpp
   src/textures/painting/canvas.cpp
@@ -374,6 +373,7 @@ set(small
   src/repair/united.cpp
   src/repair_file.cpp
   src/simplify/divide.cpp
+  src/simplify/slabs.cpp
   src/textures/atlas_painting.cpp
   src/textures/bake_onto.cpp
   src/textures/charts/atlas_figures.cpp

@@ -47,14 +47,19 @@ class Buckets {
     }
   }
 
-  // Visits the vertices of the range, in order: their entries, sorted.
-  template <class Visit>
-  void forEach(Visit visit) {
+  // Visits the range's edges, in the order of their vertices.
+  void forEachEdge(const std::function<void(std::span<const Index>)>& visit) {
+    std::vector<Index> edge;
     for (std::size_t v = from_; v < to_; ++v) {
       const std::span<Entry> bucket =
           std::span(entries_).subspan(starts_[v] - starts_[from_], starts_[v + 1] - starts_[v]);
       sortPairs(bucket);
-      visit(bucket);
+      for (std::size_t i = 0; i < bucket.size(); ++i) {
+        edge.push_back(bucket[i].second);
+        if (i + 1 < bucket.size() && bucket[i + 1].first == bucket[i].first) continue;
+        visit(edge);
+        edge.clear();
+      }
     }
   }
 
@@ -117,12 +122,9 @@ EdgeGroups::EdgeGroups(std::size_t vertexCount, std::span<const Index> corners, 
   buckets.gather(0, vertexCount);
   halfedges_.reserve(corners.size());
   starts_.reserve(corners.size() / 2 + 2);
-  buckets.forEach([&](std::span<const Entry> bucket) {
-    for (std::size_t i = 0; i < bucket.size(); ++i) {
-      if (i == 0 || bucket[i].first != bucket[i - 1].first)
-        starts_.push_back(Index(halfedges_.size()));
-      halfedges_.push_back(bucket[i].second);
-    }
+  buckets.forEachEdge([&](std::span<const Index> edge) {
+    starts_.push_back(Index(halfedges_.size()));
+    halfedges_.insert(halfedges_.end(), edge.begin(), edge.end());
   });
   starts_.push_back(Index(halfedges_.size()));
 }
@@ -130,19 +132,11 @@ EdgeGroups::EdgeGroups(std::size_t vertexCount, std::span<const Index> corners, 
 void forEachEdgeOf(std::size_t vertexCount, std::span<const Index> corners,
                    const std::function<void(std::span<const Index>)>& visit, std::size_t atOnce) {
   Buckets buckets(vertexCount, corners, 3);
-  std::vector<Index> edge;
   const std::size_t most = std::max(atOnce, corners.size() / kMostRanges);
   for (std::size_t from = 0, to = 0; from < vertexCount; from = to) {
     to = buckets.endOfRange(from, most);
     buckets.gather(from, to);
-    buckets.forEach([&](std::span<const Entry> bucket) {
-      for (std::size_t i = 0; i < bucket.size(); ++i) {
-        edge.push_back(bucket[i].second);
-        if (i + 1 < bucket.size() && bucket[i + 1].first == bucket[i].first) continue;
-        visit(edge);
-        edge.clear();
-      }
-    });
+    buckets.forEachEdge(visit);
   }
 }
 
