@@ -14,6 +14,9 @@
 namespace remesher {
 namespace {
 
+// Triangles from which on a part is inspected as it is given.
+constexpr std::size_t kLarge = 1'500'000;
+
 // Densities of the vertices in their new order, if there is one for each.
 void putInOrder(std::vector<float>& density, const CanonicalOrder& order) {
   if (density.size() != order.vertices.size()) return;
@@ -111,7 +114,20 @@ Vec3 InspectedParts::given(std::size_t part, const Vec3& p) const {
   return frames_.undone(part, p);
 }
 
+PlainInspection::PlainInspection(const std::vector<io::Part>& parts) {
+  for (const io::Part& part : parts) {
+    requireValid(part.mesh);
+    weldings.emplace_back(part.mesh, Twins::Unknown);
+  }
+  report = inspectParts(parts, weldings, placesOf(parts));
+  report.diagonal = worldDiagonal(parts);
+}
+
 MeshReport inspectScaled(const std::vector<io::Part>& parts, const Progress& progress) {
+  const bool isLarge = std::any_of(parts.begin(), parts.end(), [](const io::Part& part) {
+    return part.mesh.triangleCount() >= kLarge;
+  });
+  if (isLarge) return PlainInspection(parts).report;
   return InspectedParts(parts, progress).report();
 }
 

@@ -50,6 +50,15 @@ class InspectedParts {
   MeshReport report_;
 };
 
+// Parts of millions of triangles as they are given, in a third of the memory: without an order of
+// their own, about unit size, and twins. Throws the Errors of requireValid.
+struct PlainInspection {
+  explicit PlainInspection(const std::vector<io::Part>& parts);
+
+  std::vector<Welding> weldings;  // per part
+  MeshReport report;
+};
+
 // The report on parts of any size. Throws the Errors of requireValid.
 MeshReport inspectScaled(const std::vector<io::Part>& parts, const Progress& progress = {});
 

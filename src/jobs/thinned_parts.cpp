@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "geometry/triangle.h"
 #include "geometry/triangle_tree.h"
+#include "jobs/inspected_parts.h"
 #include "jobs/parts/part_lengths.h"
 #include "jobs/parts/part_places.h"
 #include "jobs/parts/part_report.h"
@@ -200,15 +201,10 @@ void ThinnedParts::thinOutFine(std::vector<io::Part>& parts, const RemeshOptions
 
 // Returns the first vertices at all places. The rest of the weldings, which is larger, goes.
 std::vector<std::vector<Index>> ThinnedParts::inspect(const std::vector<io::Part>& parts) {
-  std::vector<Welding> weldings;
-  for (const io::Part& part : parts) {
-    requireValid(part.mesh);
-    weldings.emplace_back(part.mesh, Twins::Unknown);
-  }
-  input_ = inspectParts(parts, weldings, placesOf(parts));
-  input_.diagonal = worldDiagonal(parts);
+  PlainInspection inspection(parts);
+  input_ = inspection.report;
   std::vector<std::vector<Index>> first;
-  for (Welding& welding : weldings) first.push_back(std::move(welding.first));
+  for (Welding& welding : inspection.weldings) first.push_back(std::move(welding.first));
   return first;
 }
 
