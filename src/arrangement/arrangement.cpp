@@ -62,7 +62,7 @@ class Run {
         normal_(scaled(input.positions, toNormal_)),
         tree_(normal_, input.indices),
         points_(normal_),
-        triangles_{input.indices, input.operands, tree_} {}
+        triangles_{input.indices, input.operands, tree_, input.meeting} {}
 
   ArrangementResult run() {
     ArrangementResult result;
@@ -75,7 +75,7 @@ class Run {
     kept = mergedFacets(points_, triangles_, input_.classes, *facets, std::move(kept));
     result.work = facets->work + kept.work;
     result.cut = facets->cutTriangles;
-    roundTo(result, kept);
+    roundTo(result, kept, facets->isCut);
     return result;
   }
 
@@ -86,7 +86,7 @@ class Run {
   }
 
   // The new points that are used follow the given ones.
-  void roundTo(ArrangementResult& result, KeptFacets& kept) {
+  void roundTo(ArrangementResult& result, KeptFacets& kept, std::span<const std::uint8_t> isCut) {
     result.positions = input_.positions;
     const std::size_t given = input_.positions.size();
     std::vector<Index> numbers(points_.size(), kNone), pointOf;
@@ -111,6 +111,10 @@ class Run {
         triangle.weights[k] =
             weights(from.triangle, corner < given ? corner : pointOf[corner - given]);
       }
+      const auto corners = result.indices.begin() + std::ptrdiff_t{3} * f;
+      triangle.isUntouched = !isCut[from.triangle] &&
+                             std::equal(corners, corners + 3,
+                                        input_.indices.begin() + std::ptrdiff_t{3} * from.triangle);
       result.triangles.push_back(triangle);
     }
     result.dropped =
@@ -143,7 +147,16 @@ std::vector<Index> crossingsOf(const ArrangementResult& result) {
   const double toNormal = normalScale(result.positions);
   for (const Vec3& p : result.positions) mesh.positions.emplace_back(toNormal * p);
   mesh.indices = result.indices;
-  return selfIntersections(mesh);
+  std::vector<std::uint8_t> isApart;
+  for (const ArrangedTriangle& t : result.triangles) isApart.push_back(t.isUntouched);
+  return selfIntersectionsBeside(mesh, isApart);
+}
+
+// Whether more triangles intersect others than were cut: where many edges pass each other at
+// nearly one point, as on the axis of a ring that reaches beyond it, thousands of facets are
+// smaller than a step. Another arrangement would only make more of them.
+bool isDense(const ArrangementResult& result) {
+  return result.selfIntersections.size() > result.cut;
 }
 
 // The step of written coordinates.
@@ -200,7 +213,7 @@ ArrangementResult snapped(const ArrangementResult& first, const ArrangementOptio
 ArrangementResult arrangedAgain(const ArrangementInput& input, const ArrangementOptions& options,
                                 const ArrangementResult& first) {
   ArrangementInput again{
-      first.positions, first.indices, std::vector<Index>(first.triangles.size(), 0), {}};
+      first.positions, first.indices, std::vector<Index>(first.triangles.size(), 0), {}, {}};
   for (const ArrangedTriangle& t : first.triangles)
     if (!input.classes.empty()) again.classes.push_back(input.classes[t.parent]);
   ArrangementOptions plain = options;
@@ -241,7 +254,10 @@ ArrangementResult arrange(const ArrangementInput& input, const ArrangementOption
   const double step = stepOf(input.positions, options);
   for (int left = kPatience; left > 0 && !best.selfIntersections.empty(); --left) {
     fires("arrangement: arranged again after rounding");
-    if (left < kPatience) last = snapped(best, options, std::ldexp(step, kPatience - left));
+    if (isDense(best))
+      last = snapped(best, options, std::ldexp(step, 2 * kPatience - left));
+    else if (left < kPatience)
+      last = snapped(best, options, std::ldexp(step, kPatience - left));
     ArrangementResult next = arrangedAgain(input, options, last);
     if (next.outcome != Outcome::Done || next.indices.empty()) break;
     last = std::move(next);

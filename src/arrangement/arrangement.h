@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -26,6 +27,8 @@ struct ArrangementInput {
   std::vector<Index> operands;  // one per triangle
   // One per triangle, or empty: facets are merged only with those of the same class.
   std::vector<Index> classes;
+  // The only triangles that may meet others, if that is known; ascending.
+  std::optional<std::vector<Index>> meeting;
 };
 
 struct ArrangementOptions {
@@ -41,6 +44,7 @@ struct ArrangedTriangle {
   // Per corner its weights at the parent's corners. In the parent's plane, but outside the parent
   // where facets of several triangles were merged.
   std::array<Vec3, 3> weights;
+  bool isUntouched = false;  // it met no other triangle, and is as it was given
 };
 
 struct ArrangementResult {

@@ -121,6 +121,7 @@ Facets inOrderOfParents(const Facets& facets) {
   std::stable_sort(order.begin(), order.end(),
                    [&](Index a, Index b) { return facets.parent(a) < facets.parent(b); });
   Facets result;
+  result.isCut = facets.isCut;
   result.cutTriangles = facets.cutTriangles, result.work = facets.work;
   for (const Index f : order) {
     const auto corners = facets.corners.begin() + std::ptrdiff_t{3} * f;
@@ -140,18 +141,18 @@ std::optional<Facets> cutTriangles(PointPool& points, const ArrangedTriangles& t
   if (!sheets) return std::nullopt;
   Facets result;
   result.work = sheets->work;
-  std::vector<std::uint8_t> isCut(triangles.size(), 0);
+  result.isCut.assign(triangles.size(), 0);
   for (const Sheet& sheet : sheets->all) {
     SheetCut cut(points, triangles, sheet);
     if (!cut.run(mostWork - result.work)) return std::nullopt;
     cut.addTo(result);
     result.work += cut.work();
     if (result.work > mostWork) return std::nullopt;
-    for (const Index t : sheet.triangles) isCut[t] = 1;
+    for (const Index t : sheet.triangles) result.isCut[t] = 1;
     result.cutTriangles += sheet.triangles.size();
   }
   for (Index t = 0; t < triangles.size(); ++t) {
-    if (isCut[t]) continue;
+    if (result.isCut[t]) continue;
     for (const Index corner : triangles[t]) result.corners.push_back(corner);
     result.parents.push_back({t, 1});
     result.firstParents.push_back(static_cast<Index>(result.parents.size()));

@@ -19,6 +19,7 @@ struct ArrangedTriangles {
   const std::vector<Index>& corners;   // three per triangle
   const std::vector<Index>& operands;  // one per triangle
   const TriangleTree& tree;
+  const std::optional<std::vector<Index>>& meeting;  // see ArrangementInput
 
   GivenPlane operator[](Index t) const {
     return {corners[3 * t], corners[3 * t + 1], corners[3 * t + 2]};
@@ -37,6 +38,7 @@ struct Facets {
   // the sign 1. Facets are in the order of their first parents.
   std::vector<FacetParent> parents;
   std::vector<Index> firstParents = {0};
+  std::vector<std::uint8_t> isCut;  // per triangle whether it met others
   std::size_t cutTriangles = 0;
   std::size_t work = 0;  // steps
 

@@ -41,6 +41,7 @@ class PointPool {
   std::array<Index, 3> farPoints(FlatView view) const;
   // The nearest doubles; exact for given points.
   const Vec3& position(Index point) const { return positions_[point]; }
+  std::span<const Vec3> positions() const { return positions_; }
   // The order by position. It does not depend on the order in which points were found.
   bool isBefore(Index p, Index q) const;
 

@@ -45,10 +45,19 @@ class SheetSearch {
 
   std::vector<Pair> meetingPairs(std::size_t mostWork) {
     std::vector<Pair> pairs;
-    triangles_.tree.visitPairs([&](Index s, Index t) {
+    const auto look = [&](Index s, Index t) {
       if (++work_ <= mostWork && trianglesMeet(named(s), named(t)))
         pairs.emplace_back(std::min(s, t), std::max(s, t));
-    });
+    };
+    if (const auto& few = triangles_.meeting) {
+      std::vector<Index> corners;
+      for (const Index t : *few)
+        for (const Index corner : triangles_[t]) corners.push_back(corner);
+      const TriangleTree tree(points_.positions(), corners);
+      tree.visitPairs([&](Index s, Index t) { look((*few)[s], (*few)[t]); });
+    } else {
+      triangles_.tree.visitPairs(look);
+    }
     std::sort(pairs.begin(), pairs.end());
     return pairs;
   }

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -20,6 +22,7 @@ constexpr int kMostSnaps = 24;
 
 using Corners = std::array<Index, 3>;
 using Ends = std::array<Index, 2>;
+using Cell = std::array<double, 3>;
 
 // Where two segments are nearest to each other, as shares of both; none at an end of either.
 std::optional<std::array<double, 2>> nearestShares(const Vec3& a, const Vec3& b, const Vec3& c,
@@ -110,24 +113,39 @@ class Snapping {
     for (const Index p : points_) asTriangles_.insert(asTriangles_.end(), {p, p, p});
   }
 
-  // Of points near each other the one with the lowest number stays.
+  // Of points near each other the one with the lowest number stays. Those that stay are in a grid:
+  // few of them are near any place, where thousands of points may be.
   void weldNear() {
     gather();
-    const TriangleTree tree(positions_, asTriangles_);
-    std::vector<Index> stays(positions_.size(), kNone);
+    std::map<Cell, std::vector<Index>> staying;
     bool isAny = false;
+    std::vector<Index> stays(positions_.size(), kNone);
     for (const Index p : points_) {
+      const Cell cell = cellOf(at(p));
       Index best = p;
-      tree.visitOverlapping(around({at(p)}), [&](Index i) {
-        const Index q = points_[i];
-        if (q < best && stays[q] == q && areNear(at(p), at(q))) best = q;
-      });
+      for (int i = 0; i < 27; ++i) {
+        const auto found =
+            staying.find({cell[0] + (i % 3 - 1), cell[1] + (i / 3 % 3 - 1), cell[2] + (i / 9 - 1)});
+        if (found == staying.end()) continue;
+        for (const Index q : found->second)
+          if (q < best && areNear(at(p), at(q))) best = q;
+      }
       stays[p] = best;
       isAny |= best != p;
+      if (best == p) staying[cell].push_back(p);
     }
     if (!isAny) return;
     for (Index& corner : facets_.corners)
       if (stays[corner] != kNone) corner = stays[corner];
+  }
+
+  // As wide as the tolerance, or a little more.
+  Cell cellOf(const Vec3& p) const {
+    constexpr double kWider = 1.001;
+    Cell cell;
+    for (std::size_t k = 0; k < 3; ++k)
+      cell[k] = std::floor(p[Eigen::Index(k)] / (kWider * rule_.tolerance));
+    return cell;
   }
 
   // The share of the way from a to b where p lies on the edge between them; 0 if it does not.

@@ -102,6 +102,7 @@ class OperandRepairs {
 struct Bodies {
   std::array<TriangleMesh, 2> meshes;  // closed, scaled
   OperandRepairs repairs;
+  Each each = Each::Sound;
 };
 
 Bodies bodiesOf(const OperandPair& pair, const Scaled& scaled) {
@@ -115,6 +116,7 @@ Bodies bodiesOf(const OperandPair& pair, const Scaled& scaled) {
     for (PlacedWarning& warning : repaired->warnings)
       if (warning.at) warning.at = scaled.inWorld(part, *warning.at);
     bodies.meshes[i] = std::move(repaired->mesh);
+    if (repaired->report.selfIntersections[1] > 0) bodies.each = Each::MayIntersectItself;
     bodies.repairs.note(*repaired, double(part.mesh.triangleCount()) / all);
   }
   return bodies;
@@ -122,7 +124,8 @@ Bodies bodiesOf(const OperandPair& pair, const Scaled& scaled) {
 
 United arrangedOf(const OperandPair& pair, const Bodies& bodies, BooleanOperation operation) {
   const auto& [a, b] = bodies.meshes;
-  std::optional<United> found = booleanOf(joinedOperands(a, b), a.triangleCount(), operation);
+  std::optional<United> found =
+      booleanOf(joinedOperands(a, b), a.triangleCount(), operation, bodies.each);
   if (!found)
     throw Error(ErrorCode::Unsupported,
                 pair.names[0] + " and " + pair.names[1] +

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <numeric>
 #include <span>
 
 #include "base/place.h"
@@ -41,6 +42,17 @@ class Search {
     for (Index t = 0; t < counts_.size(); ++t)
       lookAround(t, [&](Index s) {
         if (s != t && !isHit_[s] && trianglesMeet(triangle(s), triangle(t))) isHit_[s] = 1;
+      });
+    return hits();
+  }
+
+  // Those that are looked for and those that meet them.
+  std::vector<Index> runBeside() {
+    for (Index t = 0; t < counts_.size(); ++t)
+      lookAround(t, [&](Index s) {
+        if (s <= t && t >= first_) return;  // each pair once
+        if (!(isHit_[s] && isHit_[t]) && trianglesMeet(triangle(s), triangle(t)))
+          isHit_[s] = isHit_[t] = 1;
       });
     return hits();
   }
@@ -94,6 +106,25 @@ std::vector<Index> intersectionsOfGroups(const TriangleMesh& mesh) {
 
 std::vector<Index> selfIntersectionsFrom(const TriangleMesh& mesh, Index first) {
   return Search(mesh, first).runFrom();
+}
+
+std::vector<Index> selfIntersectionsBeside(const TriangleMesh& mesh,
+                                           std::span<const std::uint8_t> isApart) {
+  const auto apart = std::size_t(std::count(isApart.begin(), isApart.end(), std::uint8_t{1}));
+  if (2 * apart < isApart.size()) return selfIntersections(mesh);
+  std::vector<Index> order(isApart.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  std::stable_partition(order.begin(), order.end(), [&](Index t) { return isApart[t] != 0; });
+  TriangleMesh sorted;
+  sorted.positions = mesh.positions;
+  for (const Index t : order) {
+    const Index* const v = &mesh.indices[std::size_t{3} * t];
+    sorted.indices.insert(sorted.indices.end(), v, v + 3);
+  }
+  std::vector<Index> found = Search(sorted, Index(apart)).runBeside();
+  for (Index& t : found) t = order[t];
+  std::sort(found.begin(), found.end());
+  return found;
 }
 
 }  // namespace remesher

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/triangle_mesh.h"
@@ -19,5 +21,10 @@ std::vector<Index> intersectionsOfGroups(const TriangleMesh& mesh);
 
 // The same as the first, but only triangles from number `first` on, which may meet any triangle.
 std::vector<Index> selfIntersectionsFrom(const TriangleMesh& mesh, Index first);
+
+// The same as the first, if it is known that triangles that are apart do not meet each other.
+// isApart: one per triangle.
+std::vector<Index> selfIntersectionsBeside(const TriangleMesh& mesh,
+                                           std::span<const std::uint8_t> isApart);
 
 }  // namespace remesher

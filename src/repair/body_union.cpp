@@ -23,23 +23,24 @@ bool isSeenLost(const TriangleMesh& bodies, const United& outside) {
 }
 
 // Where parts that are inside out are seen, they are inside, too; none if parts are lost even so.
-std::optional<United> seenUnion(const TriangleMesh& bodies) {
-  std::optional<United> outside = united(bodies);
+std::optional<United> seenUnion(const TriangleMesh& bodies, std::span<const Index> crossings) {
+  std::optional<United> outside = united(bodies, crossings);
   if (!outside || !isSeenLost(bodies, *outside)) return outside;
   fires("exact repair: parts inside out are seen");
-  outside = united(bodies, Inside::EitherWay);
+  outside = united(bodies, crossings, Inside::EitherWay);
   if (outside && isSeenLost(bodies, *outside)) outside.reset();
   return outside;
 }
 
 // The union of all of them; none if that is not sound.
-std::optional<United> soundUnion(const TriangleMesh& bodies, std::size_t crossingsBefore) {
-  std::optional<United> outside = seenUnion(bodies);
+std::optional<United> soundUnion(const TriangleMesh& bodies, std::span<const Index> crossings,
+                                 double mostLeft) {
+  std::optional<United> outside = seenUnion(bodies, crossings);
   if (!outside || countUnbalancedEdges(outside->mesh) > 0) {
     fires("exact repair: the union is not closed");
     return std::nullopt;
   }
-  if (double(outside->crossings.size()) > ladder::kMostCrossingsLeft * double(crossingsBefore)) {
+  if (double(outside->crossings.size()) > mostLeft * double(crossings.size())) {
     fires("exact repair: the union intersects itself");
     return std::nullopt;
   }
@@ -76,16 +77,17 @@ std::vector<Index> groupsOf(const TriangleMesh& bodies) {
 // Collects the unions of groups of bodies.
 class Collector {
  public:
-  explicit Collector(const TriangleMesh& bodies) {
+  Collector(const TriangleMesh& bodies, double mostLeft) : mostLeft_(mostLeft) {
     result_.mesh = bodies;
     result_.mesh.positions.clear(), result_.mesh.indices.clear(), result_.mesh.groups.clear();
     result_.mesh.isQuads = false;
     for (Attribute& attribute : result_.mesh.attributes) attribute.values.clear();
   }
 
-  void add(SelectedTriangles bodies, std::size_t crossings) {
+  void add(SelectedTriangles bodies, std::span<const Index> allCrossings) {
+    const std::vector<Index> crossings = numbersAmong(bodies.triangles, allCrossings);
     keepUsedVertices(bodies.mesh);
-    std::optional<United> outside = soundUnion(bodies.mesh, crossings);
+    std::optional<United> outside = soundUnion(bodies.mesh, crossings, mostLeft_);
     if (!outside) {
       result_.undecided.insert(result_.undecided.end(), bodies.triangles.begin(),
                                bodies.triangles.end());
@@ -104,12 +106,13 @@ class Collector {
   }
 
  private:
+  const double mostLeft_;
   BodyUnion result_;
 };
 
 // Group by group; all groups without crossings together.
-std::optional<BodyUnion> unionByGroup(const TriangleMesh& bodies,
-                                      std::span<const Index> crossings) {
+std::optional<BodyUnion> unionByGroup(const TriangleMesh& bodies, std::span<const Index> crossings,
+                                      double mostLeft) {
   std::vector<Index> groups = groupsOf(bodies);
   const Index count = groups.empty() ? 0 : 1 + *std::max_element(groups.begin(), groups.end());
   if (count < 2) return std::nullopt;
@@ -118,19 +121,20 @@ std::optional<BodyUnion> unionByGroup(const TriangleMesh& bodies,
   for (const Index t : crossings) ++crossed[groups[t]];
   for (Index& group : groups)
     if (crossed[group] == 0) group = count;
-  Collector collector(bodies);
+  Collector collector(bodies, mostLeft);
   if (SelectedTriangles clear = selected(bodies, groups, count); !clear.triangles.empty())
-    collector.add(std::move(clear), 0);
+    collector.add(std::move(clear), {});
   for (Index group = 0; group < count; ++group)
-    if (crossed[group] > 0) collector.add(selected(bodies, groups, group), crossed[group]);
+    if (crossed[group] > 0) collector.add(selected(bodies, groups, group), crossings);
   return collector.taken();
 }
 
 }  // namespace
 
-std::optional<BodyUnion> unionOf(const TriangleMesh& bodies, std::span<const Index> crossings) {
-  std::optional<United> whole = soundUnion(bodies, crossings.size());
-  if (!whole) return unionByGroup(bodies, crossings);
+std::optional<BodyUnion> unionOf(const TriangleMesh& bodies, std::span<const Index> crossings,
+                                 double mostLeft) {
+  std::optional<United> whole = soundUnion(bodies, crossings, mostLeft);
+  if (!whole) return unionByGroup(bodies, crossings, mostLeft);
   return BodyUnion{
       std::move(whole->mesh), std::move(whole->parents), std::move(whole->crossings), {}};
 }

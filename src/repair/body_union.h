@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/triangle_mesh.h"
+#include "repair/ladder.h"
 
 namespace remesher {
 
@@ -20,8 +21,9 @@ struct BodyUnion {
 };
 
 // bodies: closed, facing outwards. crossings: their triangles that intersect others, ascending.
-// None if no body at all has a sound union.
-std::optional<BodyUnion> unionOf(const TriangleMesh& bodies, std::span<const Index> crossings);
+// mostLeft: the share of them that may be left. None if no body at all has a sound union.
+std::optional<BodyUnion> unionOf(const TriangleMesh& bodies, std::span<const Index> crossings,
+                                 double mostLeft = ladder::kMostCrossingsLeft);
 
 // Some triangles of a mesh, with their numbers there.
 struct SelectedTriangles {

@@ -15,7 +15,9 @@
 #include "repair/diagnosis.h"
 #include "repair/holes/turn_over.h"
 #include "repair/ladder.h"
+#include "repair/loose_pieces.h"
 #include "repair/stitch.h"
+#include "repair/united.h"
 
 namespace remesher {
 
@@ -122,19 +124,6 @@ std::vector<Index> markedOf(const TriangleMesh& mesh, const std::vector<Index>& 
   return marks;
 }
 
-// Their numbers among the selected triangles.
-std::vector<Index> numbersIn(const SelectedTriangles& selected,
-                             const std::vector<Index>& triangles) {
-  std::vector<Index> numbers;
-  auto at = selected.triangles.begin();
-  for (const Index t : triangles) {
-    at = std::lower_bound(at, selected.triangles.end(), t);
-    if (at == selected.triangles.end()) break;
-    if (*at == t) numbers.push_back(Index(at - selected.triangles.begin()));
-  }
-  return numbers;
-}
-
 // The closed pieces as one outside; false if none of them has a sound one.
 bool unite(ExactRepair& repair, const Diagnosis& diagnosis) {
   std::vector<Index> open;
@@ -142,7 +131,8 @@ bool unite(ExactRepair& repair, const Diagnosis& diagnosis) {
   const std::vector<Index> isOpen = markedOf(repair.mesh, open);
   const SelectedTriangles bodies = selected(repair.mesh, isOpen, 0),
                           sheets = selected(repair.mesh, isOpen, 1);
-  std::optional<BodyUnion> outside = unionOf(bodies.mesh, numbersIn(bodies, diagnosis.crossings));
+  std::optional<BodyUnion> outside =
+      unionOf(bodies.mesh, numbersAmong(bodies.triangles, diagnosis.crossings));
   if (!outside) return false;
   repair.way = ExactRepair::Way::United;
   std::vector<char> isUsed(repair.mesh.triangleCount(), 0), isWall(isUsed);
@@ -278,6 +268,7 @@ ExactRepair leftAlone(const TriangleMesh& input) {
 
 void fillCavities(ExactRepair& repair, Filled filled) {
   if (filled == Filled::Made && repair.isOfCavity.empty()) return;
+  if (LoosePieces(repair.mesh.positions, repair.mesh.indices).all().size() < 2) return;
   const BuiltMesh built = buildMesh(repair.mesh);
   const std::vector<char> isCrossed(repair.mesh.triangleCount(), 0);
   const auto [ofFace, pieces] = piecesOf(built, isCrossed);

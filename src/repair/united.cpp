@@ -27,7 +27,7 @@ struct Welded {
   std::vector<Index> vertices;   // per position of the input a vertex of the bodies there
 };
 
-Welded weldedOf(const TriangleMesh& bodies, std::span<const Index> operands) {
+Welded weldedOf(const TriangleMesh& bodies, const Operands& operands) {
   Welded welded;
   const std::vector<Index> first = weld(bodies.positions);
   std::vector<Index> numbers(first.size(), kNone);
@@ -46,8 +46,9 @@ Welded weldedOf(const TriangleMesh& bodies, std::span<const Index> operands) {
     if (!hasArea({at(0), at(1), at(2)})) continue;
     for (int k = 0; k < 3; ++k) welded.input.indices.push_back(numberOf(v[k]));
     welded.triangles.push_back(t);
-    welded.input.operands.push_back(operands[t]);
+    welded.input.operands.push_back(operands.numbers[t]);
   }
+  if (operands.meeting) welded.input.meeting = numbersAmong(welded.triangles, *operands.meeting);
   // Attributes are linear in one triangle only, so facets of different ones stay apart.
   if (!bodies.attributes.empty()) {
     welded.input.classes.resize(welded.triangles.size());
@@ -134,8 +135,19 @@ class Assembly {
 
 }  // namespace
 
+std::vector<Index> numbersAmong(std::span<const Index> list, std::span<const Index> wanted) {
+  std::vector<Index> numbers;
+  auto at = list.begin();
+  for (const Index t : wanted) {
+    at = std::lower_bound(at, list.end(), t);
+    if (at == list.end()) break;
+    if (*at == t) numbers.push_back(Index(at - list.begin()));
+  }
+  return numbers;
+}
+
 std::optional<United> arranged(const TriangleMesh& bodies, const Operands& operands) {
-  const Welded welded = weldedOf(bodies, operands.numbers);
+  const Welded welded = weldedOf(bodies, operands);
   ArrangementOptions options;
   options.isInside = operands.isInside;
   options.isSingle = bodies.isSingle, options.frame = bodies.frame;
@@ -148,12 +160,14 @@ std::optional<United> arranged(const TriangleMesh& bodies, const Operands& opera
   return result;
 }
 
-std::optional<United> united(const TriangleMesh& bodies, Inside inside) {
+std::optional<United> united(const TriangleMesh& bodies, std::span<const Index> crossings,
+                             Inside inside) {
   InsideRule isInside = isWound;
   if (inside == Inside::EitherWay)
     isInside = [](std::span<const int> windings) { return windings[0] != 0; };
   std::optional<United> result =
-      arranged(bodies, {std::vector<Index>(bodies.triangleCount(), 0), std::move(isInside)});
+      arranged(bodies, {std::vector<Index>(bodies.triangleCount(), 0), std::move(isInside),
+                        std::vector<Index>(crossings.begin(), crossings.end())});
   if (result && result->mesh.indices.empty()) return std::nullopt;
   return result;
 }

@@ -26,16 +26,22 @@ struct United {
 struct Operands {
   std::vector<Index> numbers;
   std::function<bool(std::span<const int>)> isInside;
+  std::optional<std::vector<Index>> meeting;  // see ArrangementInput
 };
 
 // The boundary of the inside. bodies: closed, facing outwards; triangles without an area are left
 // out. None if the triangles do not bound volumes, or if the work would be out of proportion.
+// Of the wanted triangles those in a list, by their places there. Both ascend.
+std::vector<Index> numbersAmong(std::span<const Index> list, std::span<const Index> wanted);
+
 std::optional<United> arranged(const TriangleMesh& bodies, const Operands& operands);
 
 // What counts as inside: what a surface goes round counterclockwise, or either way.
 enum class Inside { Outwards, EitherWay };
 
 // The outside of the bodies, all of one operand. None as above, and if nothing is inside.
-std::optional<United> united(const TriangleMesh& bodies, Inside inside = Inside::Outwards);
+// crossings: the triangles that meet others, ascending.
+std::optional<United> united(const TriangleMesh& bodies, std::span<const Index> crossings,
+                             Inside inside = Inside::Outwards);
 
 }  // namespace remesher

@@ -99,6 +99,24 @@ TEST_CASE("self_intersections: random triangles agree with solving for every cro
   CHECK(selfIntersections(mesh) == expected);
 }
 
+TEST_CASE("self_intersections: those beside triangles that do not meet each other are all") {
+  soups::Random random(5);
+  for (int trial = 0; trial < 20; ++trial) {
+    TriangleMesh mesh;
+    for (int t = 0; t < 60; ++t) {
+      const Vec3 at = 4 * random.point(), b = random.point(), c = random.point();
+      soups::addTriangle(mesh, at, at + b, at + c);
+    }
+    const std::vector<Index> all = selfIntersections(mesh);
+    std::vector<std::uint8_t> isApart(mesh.triangleCount(), 1);
+    for (const Index t : all) isApart[t] = 0;
+    CHECK(selfIntersectionsBeside(mesh, isApart) == all);
+    // Of two that meet one may be apart.
+    if (!all.empty()) isApart[all.front()] = 1;
+    CHECK(selfIntersectionsBeside(mesh, isApart) == all);
+  }
+}
+
 TEST_CASE("self_intersections: between groups, pairs within a group do not count") {
   TriangleMesh mesh = soups::randomSoup(150, 0.3, 17);
   const Index n = static_cast<Index>(mesh.triangleCount());
