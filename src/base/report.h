@@ -161,7 +161,7 @@ struct FaultReport {
   std::size_t selfIntersections = 0;  // triangles that meet others
   std::size_t innerShells = 0;        // closed pieces inside others, cavities not counted
   std::size_t insideOut = 0;          // closed pieces that face inwards
-  Repair repair = Repair::Off;        // Off: nothing is broken
+  Repair repair = Repair::Off;        // Off: nothing is broken, or only sheets are there
   RepairNeeds needs;                  // of that repair
   FaultPlaces places;
 };

@@ -7,6 +7,7 @@
 
 #include "base/disjoint_sets.h"
 #include "base/fires.h"
+#include "geometry/extent.h"
 #include "mesh/used_vertices.h"
 #include "repair/ladder.h"
 #include "repair/loose_pieces.h"
@@ -18,8 +19,10 @@ namespace remesher {
 
 namespace {
 
-bool isSeenLost(const TriangleMesh& bodies, const United& outside) {
-  return 100 * seenShareLost(bodies, outside.mesh, outside.parents) > ladder::kMostLost;
+// Notes what is lost; returns whether it is too much.
+bool isSeenLost(const TriangleMesh& bodies, United& outside) {
+  outside.lost = seenShareLost(bodies, outside.mesh, outside.parents);
+  return 100 * outside.lost > ladder::kMostLost;
 }
 
 // Where parts that are inside out are seen, they are inside, too; none if parts are lost even so.
@@ -96,17 +99,22 @@ class Collector {
     const Index before = Index(result_.mesh.triangleCount());
     for (const Index parent : outside->parents) result_.parents.push_back(bodies.triangles[parent]);
     for (const Index t : outside->crossings) result_.crossings.push_back(before + t);
+    const double area = extentOf(bodies.mesh).area;
+    result_.lost += outside->lost * area;
+    area_ += area;
     append(result_.mesh, outside->mesh);
   }
 
   std::optional<BodyUnion> taken() {
     if (result_.mesh.indices.empty()) return std::nullopt;
+    if (area_ > 0) result_.lost /= area_;
     std::sort(result_.undecided.begin(), result_.undecided.end());
     return std::move(result_);
   }
 
  private:
   const double mostLeft_;
+  double area_ = 0;
   BodyUnion result_;
 };
 
@@ -135,8 +143,11 @@ std::optional<BodyUnion> unionOf(const TriangleMesh& bodies, std::span<const Ind
                                  double mostLeft) {
   std::optional<United> whole = soundUnion(bodies, crossings, mostLeft);
   if (!whole) return unionByGroup(bodies, crossings, mostLeft);
-  return BodyUnion{
-      std::move(whole->mesh), std::move(whole->parents), std::move(whole->crossings), {}};
+  return BodyUnion{std::move(whole->mesh),
+                   std::move(whole->parents),
+                   std::move(whole->crossings),
+                   whole->lost,
+                   {}};
 }
 
 SelectedTriangles selected(const TriangleMesh& mesh, std::span<const Index> marks, Index mark) {

@@ -17,6 +17,7 @@ struct BodyUnion {
   TriangleMesh mesh;
   std::vector<Index> parents;    // per triangle of the mesh that of the bodies in whose plane it is
   std::vector<Index> crossings;  // triangles of the mesh that intersect others
+  double lost = 0;               // ratio of the area: what is seen of the bodies and is not there
   std::vector<Index> undecided;  // triangles of the bodies that have no sound union, ascending
 };
 

@@ -93,19 +93,21 @@ void faceOutwards(ExactRepair& repair, const Diagnosis& diagnosis) {
   repair.way = ExactRepair::Way::Closed;
 }
 
-// A corner of each closed piece of which nothing is used.
-std::vector<Vec3> hiddenAt(const Diagnosis& diagnosis, const std::vector<char>& isUsed) {
+// The closed pieces of which nothing is used: a corner of each, and how large it is.
+std::vector<SizedPlace> hiddenAt(const Diagnosis& diagnosis, const std::vector<char>& isUsed) {
   const auto& [ofFace, pieces] = diagnosis.pieces;
   std::vector<char> isListed(pieces.size(), 0);
   for (Index f = 0; f < ofFace.size(); ++f)
     isListed[ofFace[f]] |= pieces[ofFace[f]].kind == SurfacePiece::Kind::Open ||
                            isUsed[diagnosis.built.triangles[Face(f)]];
-  std::vector<Vec3> corners;
+  std::vector<SizedPlace> found;
   for (Index f = 0; f < ofFace.size(); ++f) {
     if (std::exchange(isListed[ofFace[f]], 1)) continue;
-    corners.push_back(diagnosis.built.positions[diagnosis.built.mesh.vertices(Face(f))[0]]);
+    const Box& box = pieces[ofFace[f]].box;
+    found.push_back({diagnosis.built.positions[diagnosis.built.mesh.vertices(Face(f))[0]],
+                     (box.high - box.low).norm()});
   }
-  return corners;
+  return found;
 }
 
 // Sets triangles aside for another way of repair.
@@ -146,6 +148,7 @@ bool unite(ExactRepair& repair, const Diagnosis& diagnosis) {
   if (!outside->undecided.empty()) {
     leaveUndecided(repair, selected(bodies.mesh, markedOf(bodies.mesh, outside->undecided), 1));
   }
+  repair.lost += 100 * outside->lost;
   repair.mesh = std::move(outside->mesh);
   repair.crossings = std::move(outside->crossings);
   if (sheets.triangles.empty()) return true;
@@ -165,6 +168,18 @@ bool keepBodies(ExactRepair& repair, const Diagnosis& diagnosis) {
   repair.mesh = std::move(bodies.mesh);
   repair.sheetsAt.clear();
   return true;
+}
+
+// Triangles without an area are left out of a sound surface, if it stays sound without them. Of
+// quads they are halves, as at a pole.
+ExactRepair withoutLines(ExactRepair sound) {
+  if (haveAreas(sound.mesh) || sound.mesh.isQuads) return sound;
+  ExactRepair result = sound;
+  stitchOpenEdges(result.mesh);
+  if (result.mesh.indices.empty() || !isSound(diagnose(result.mesh))) return sound;
+  keepUsedVertices(result.mesh);
+  result.way = ExactRepair::Way::Closed;
+  return result;
 }
 
 // Open pieces become bodies.
@@ -212,7 +227,7 @@ std::optional<ExactRepair> exactlyRepaired(const TriangleMesh& input, const Exac
   result.mesh = atOnePosition(input);
   Diagnosis diagnosis = diagnose(result.mesh);
   const std::size_t before = diagnosis.crossings.size();
-  if (isSound(diagnosis)) return result;
+  if (isSound(diagnosis)) return withoutLines(std::move(result));
   // A triangle without area that closes a T-junction joins nothing once triangles are cut.
   const bool hasLines = !haveAreas(result.mesh);
   if (diagnosis.unbalanced > 0) weldOpenVertices(result.mesh);

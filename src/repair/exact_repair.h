@@ -26,13 +26,14 @@ struct ExactRepair {
   std::size_t holes = 0, turned = 0, islands = 0, trianglesRemoved = 0;
   double lost = 0;  // percent of the area: of small open pieces, and at pinches
   std::vector<SizedPlace> closedAt, meantAt, rimsAt;  // of loops, see ClosedHoles
-  // Corners of: loops left open, triangles removed, sheets left, bodies removed as hidden.
-  std::vector<Vec3> openAt, removedAt, sheetsAt, hiddenAt;
-  std::vector<Vec3> filledAt;       // a corner of each cavity filled
-  std::vector<SizedPlace> madeAt;   // of sheets that became bodies
-  std::vector<Vec3> noBaseAt;       // of sheets that got no base, see SheetBodies
-  std::size_t crossingsBefore = 0;  // triangles of the input that intersect others
-  std::vector<Index> crossings;     // and of the result
+  // Corners of: loops left open, triangles removed, sheets left.
+  std::vector<Vec3> openAt, removedAt, sheetsAt;
+  std::vector<SizedPlace> hiddenAt;  // the bodies that went
+  std::vector<Vec3> filledAt;        // a corner of each cavity filled
+  std::vector<SizedPlace> madeAt;    // of sheets that became bodies
+  std::vector<Vec3> noBaseAt;        // of sheets that got no base, see SheetBodies
+  std::size_t crossingsBefore = 0;   // triangles of the input that intersect others
+  std::vector<Index> crossings;      // and of the result
   // What has no exact outside while the rest has: most of it is sheets, or its union would not be
   // sound. Not in `mesh`; without triangles if all is decided.
   TriangleMesh undecided;

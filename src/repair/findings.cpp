@@ -30,11 +30,11 @@ std::vector<SizedPlace> listed(std::vector<SizedPlace> places) {
   return places;
 }
 
-void warnOfLoops(RepairedMesh& result, Warning warning, std::vector<SizedPlace> loops) {
-  if (loops.empty()) return;
-  sortByWidth(loops);
-  warning.count = loops.size();
-  result.warnings.push_back({std::move(warning), loops.front().at, loops.front().across});
+void warnOfWidest(RepairedMesh& result, Warning warning, std::vector<SizedPlace> places) {
+  if (places.empty()) return;
+  sortByWidth(places);
+  warning.count = places.size();
+  result.warnings.push_back({std::move(warning), places.front().at, places.front().across});
 }
 
 void warnOfSheets(RepairedMesh& result, Sheets sheets, std::size_t count) {
@@ -66,11 +66,11 @@ void warnOfCrossings(RepairedMesh& result, const std::vector<Index>& crossings) 
              centreOfFirst(result.mesh, crossings));
 }
 
-void warnOfHidden(RepairedMesh& result, const std::vector<Vec3>& hiddenAt) {
-  addWarning(result,
-             {"HIDDEN_BODIES_REMOVED",
-              "Bodies were removed that lie inside others and are not seen.", hiddenAt.size()},
-             hiddenAt);
+void warnOfHidden(RepairedMesh& result, std::vector<SizedPlace> hiddenAt) {
+  warnOfWidest(
+      result,
+      {"HIDDEN_BODIES_REMOVED", "Bodies were removed that lie inside others and are not seen."},
+      std::move(hiddenAt));
 }
 
 // The report and the warnings of the exact steps.
@@ -88,10 +88,10 @@ RepairedMesh asRepaired(ExactRepair exact, const char* mode) {
   result.report.bodies = exact.madeAt.size();
   result.report.closedAt = listed(exact.closedAt);
   result.report.rimsAt = listed(exact.rimsAt);
-  warnOfLoops(result,
-              {"RIMS_CLOSED", "Loops that look meant were closed; --keep-rims leaves them open."},
-              exact.meantAt);
-  warnOfLoops(result, {"RIMS_LEFT_OPEN", "Loops that look meant were left open."}, exact.rimsAt);
+  warnOfWidest(result,
+               {"RIMS_CLOSED", "Loops that look meant were closed; --keep-rims leaves them open."},
+               exact.meantAt);
+  warnOfWidest(result, {"RIMS_LEFT_OPEN", "Loops that look meant were left open."}, exact.rimsAt);
   addWarning(result,
              {"HOLES_LEFT_OPEN", "Holes that are longer around than asked for were left open.",
               exact.openAt.size()},
@@ -114,7 +114,7 @@ RepairedMesh asRepaired(ExactRepair exact, const char* mode) {
               "wrapping makes them thin solids.",
               exact.sheetsAt.size()},
              exact.sheetsAt);
-  warnOfLoops(result, {"SHEETS_MADE_BODIES", "Sheets became closed bodies."}, exact.madeAt);
+  warnOfWidest(result, {"SHEETS_MADE_BODIES", "Sheets became closed bodies."}, exact.madeAt);
   addWarning(
       result,
       {"BASE_NOT_MADE",

@@ -18,8 +18,8 @@ void addWarning(RepairedMesh& result, Warning warning, const std::vector<Vec3>& 
 
 void warnOfCrossings(RepairedMesh& result, const std::vector<Index>& crossings);
 
-// hiddenAt: a corner of each body that was removed.
-void warnOfHidden(RepairedMesh& result, const std::vector<Vec3>& hiddenAt);
+// hiddenAt: the bodies that were removed.
+void warnOfHidden(RepairedMesh& result, std::vector<SizedPlace> hiddenAt);
 
 // What exact steps did, in this mode.
 RepairedMesh asRepaired(ExactRepair exact, const char* mode);

@@ -324,16 +324,22 @@ TriangleMesh stitched(const TriangleMesh& input) {
   return mesh;
 }
 
-// Which repair mends it, without the work of the lattice's surface.
+// Which repair `auto` alone would choose, by the same analysis, without the work of the lattice's
+// surface. Off where it would leave all as it is, as sheets.
 Repair repairFor(const TriangleMesh& input) {
-  const std::optional<ExactRepair> exact = exactlyRepaired(input);
-  if (exact && exact->undecided.indices.empty())
-    return exact->way == ExactRepair::Way::United ? Repair::Solid : Repair::Holes;
-  RemeshOptions coarse;
-  coarse.vertices = 1;
-  const TriangleMesh& rest = exact ? exact->undecided : input;
-  const SolidRule rule = ruleFor(rest, coarse, InsideBy::Enclosure);
-  return isClear(enclosureOf(rest, rule)) ? Repair::Solid : Repair::Wrap;
+  const RemeshOptions alone;
+  const std::optional<ExactRepair> exact =
+      exactlyRepaired(input, {loopRule(input, alone, ladder::kMostDisk), std::nullopt});
+  TriangleMesh rest = exact ? exact->undecided : input;
+  if (!rest.indices.empty()) {
+    const RemeshOptions own = exact ? forPart(rest, input, alone) : alone;
+    if (isClear(enclosureOf(rest, ruleFor(rest, own, InsideBy::Enclosure)))) return Repair::Solid;
+    if (!isOfSheets(rest, own)) return Repair::Wrap;
+  }
+  if (!exact) return Repair::Off;
+  append(rest, exact->mesh);
+  if (haveSameTriangles(rest, input)) return Repair::Off;
+  return exact->way == ExactRepair::Way::United ? Repair::Solid : Repair::Holes;
 }
 
 }  // namespace
@@ -357,6 +363,7 @@ FaultReport faultsOf(const TriangleMesh& input) {
   if (isSound(diagnosis)) return faults;
   RemeshOptions alone;
   alone.repair = faults.repair = repairFor(inCanonicalOrder(input));
+  if (faults.repair == Repair::Off) return faults;
   faults.needs = needsOf(input, alone);
   return faults;
 }

@@ -11,7 +11,6 @@
 #include "geometry/triangle.h"
 #include "geometry/triangle_meeting.h"
 #include "mesh/joining.h"
-#include "repair/ladder.h"
 
 namespace remesher {
 
@@ -89,7 +88,7 @@ double seenShareLost(const TriangleMesh& bodies, const TriangleMesh& outside,
     without += own;
     dropped.push_back(t);
   }
-  if (100 * without <= ladder::kMostLost * all) return 0;
+  if (without == 0) return 0;
   std::vector<Index> samples;
   double sampled = 0;
   const std::size_t step = 1 + dropped.size() / kMostSamples;

@@ -10,8 +10,7 @@
 namespace remesher {
 
 // A ratio of the bodies' area: of triangles that the union has no part of, is away from, and that
-// are seen from outside. parents: per triangle of the union one of the bodies. Looked for only
-// where the triangles without a part are more than the most that may be lost.
+// are seen from outside. parents: per triangle of the union one of the bodies.
 double seenShareLost(const TriangleMesh& bodies, const TriangleMesh& outside,
                      std::span<const Index> parents);
 

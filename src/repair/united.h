@@ -18,6 +18,7 @@ struct United {
   TriangleMesh mesh;             // without triangles where nothing is inside
   std::vector<Index> parents;    // per triangle of the mesh that of the bodies in whose plane it is
   std::vector<Index> crossings;  // triangles of the mesh that rounding left intersecting others
+  double lost = 0;               // see BodyUnion
   std::size_t cut = 0;           // triangles of the bodies that met others
 };
 

@@ -271,7 +271,7 @@
  * @property {number} innerShells Closed pieces within others that are no cavities.
  * @property {number} insideOut Closed pieces that face inwards.
  * @property {'off' | 'holes' | 'solid' | 'wrap'} repair The repair that `auto` would choose; `off`:
- *   nothing is broken.
+ *   nothing is broken, or there are only sheets, which it leaves as they are.
  * @property {RepairNeeds} needs What that repair takes, before it begins. Approximate.
  * @property {FaultPlaces} places Where it is broken.
  */

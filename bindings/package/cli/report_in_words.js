@@ -152,6 +152,12 @@ const needsInWords = ({ bytes, seconds }) => `; it takes about ${Math.ceil(bytes
   + `${Number(seconds.toPrecision(1))} s`;
 
 /** @param {import('../base/messages.js').FaultSummary} faults */
+function cureInWords({ repair, openLoops }) {
+  return repair === 'off' && openLoops.length > 0 ? 'nothing is to be repaired: sheets enclose '
+    + 'nothing; --repair wrap makes them thin solids, --thickness bodies' : cures[repair];
+}
+
+/** @param {import('../base/messages.js').FaultSummary} faults */
 function faultsInWords(faults) {
   const { openLoops, selfIntersections, innerShells, insideOut, repair, needs, places } = faults;
   const told = 10;
@@ -164,7 +170,7 @@ function faultsInWords(faults) {
       + firstOf(places.selfIntersections),
     `  inner shells ${innerShells}${firstOf(places.innerShells)}`,
     `  bodies inside out ${insideOut}${firstOf(places.insideOut)}`,
-    `  ${cures[repair]}${repair === 'off' ? '' : needsInWords(needs)}`,
+    `  ${cureInWords(faults)}${repair === 'off' ? '' : needsInWords(needs)}`,
   ].join('\n');
 }
 

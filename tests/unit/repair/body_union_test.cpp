@@ -165,6 +165,18 @@ TEST_CASE("body_union: bodies whose union is not sound do not spoil the others")
   CHECK(unsound == 2);
 }
 
+TEST_CASE("body_union: a body that goes is named with its size and place") {
+  TriangleMesh within = shapes::icosphere(2);
+  for (Vec3& p : within.positions) p *= 0.25;
+  const RepairedMesh result = repairedByAuto(soups::joined({shapes::icosphere(4), within}));
+  const auto said = std::find_if(
+      result.warnings.begin(), result.warnings.end(),
+      [](const PlacedWarning& w) { return w.warning.code == "HIDDEN_BODIES_REMOVED"; });
+  REQUIRE(said != result.warnings.end());
+  CHECK(said->across == doctest::Approx(0.5 * std::sqrt(3.0)).epsilon(0.1));
+  CHECK(said->at->norm() == doctest::Approx(0.25));
+}
+
 TEST_CASE("body union: a part that is inside out is not lost where it is seen") {
   // A prism over a figure of eight: one of its lobes faces inwards, and is a little smaller.
   constexpr int kSides = 32;

@@ -188,6 +188,25 @@ TEST_CASE("repair: faults tell inner shells from cavities, and bodies that are i
   CHECK(both.repair == Repair::Solid);
 }
 
+TEST_CASE("repair: faults name no repair for sheets, which auto leaves as they are") {
+  CHECK(faultsOf(shapes::grid(8, 6)).repair == Repair::Off);
+  // Nor for a sheet beside a sound body.
+  const TriangleMesh beside = soups::moved(shapes::grid(8, 6), {20, 0, 0});
+  CHECK(faultsOf(soups::joined({shapes::icosphere(5), beside})).repair == Repair::Off);
+}
+
+TEST_CASE("repair: triangles without an area are left out of a sound surface") {
+  TriangleMesh ball = shapes::icosphere(3);
+  // At one corner a line: its neighbours run along both of its sides.
+  const Index at = ball.indices[0], twin = Index(ball.positions.size());
+  ball.positions.push_back(ball.positions[at]);
+  const std::size_t triangles = ball.triangleCount();
+  ball.indices.insert(ball.indices.end(), {at, twin, ball.indices[1]});
+  const RepairedMesh result = mended(ball);
+  CHECK(result.mesh.triangleCount() == triangles);
+  CHECK(result.report.reason == "closed");
+}
+
 TEST_CASE("repair: faults have places") {
   const TriangleMesh ball = shapes::icosphere(5);
   TriangleMesh shell = ball;
