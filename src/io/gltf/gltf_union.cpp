@@ -17,9 +17,13 @@
 namespace remesher::io {
 namespace {
 
-bool isOfMotion(const std::string& semantic) {
-  return semantic.starts_with("JOINTS_") || semantic.starts_with("WEIGHTS_") ||
-         semantic.starts_with("TARGET_");
+bool isOfSkin(const std::string& semantic) {
+  return semantic.starts_with("JOINTS_") || semantic.starts_with("WEIGHTS_");
+}
+
+// Whether the united mesh has none of it. skin: its number, below 0 if it has none.
+bool isDropped(const std::string& semantic, int skin) {
+  return semantic.starts_with("TARGET_") || (skin < 0 && isOfSkin(semantic));
 }
 
 // All shown places of all parts, but coarser levels of detail, as one part; and the numbers in the
@@ -47,7 +51,22 @@ void noteLacks(Part& part, const std::vector<std::size_t>& ends,
           part.groups[group].lacks.push_back(attribute.semantic);
 }
 
-Union unionOf(const Model& model) {
+// The skin that moves all shown meshes; below 0 if there is none, or more than one.
+int commonSkin(const Model& model, const Json& tree) {
+  std::set<int> skins;
+  std::set<int> meshes;
+  for (const Part& part : model.parts) {
+    if (!part.finer.empty()) continue;
+    if (namesOf(part.mesh).count("JOINTS_0") == 0) return -1;
+    meshes.insert(part.source);
+  }
+  for (const Json& node : tree.value("nodes", Json::array()))
+    if (meshes.count(node.value("mesh", -1)) > 0) skins.insert(node.value("skin", -1));
+  return skins.size() == 1 ? *skins.begin() : -1;
+}
+
+// Meshes of one skin are placed by it, all alike: they stay in their own space.
+Union unionOf(const Model& model, int skin) {
   Union all;
   all.part.instances = {Transform::Identity()};
   all.part.mesh.isSingle = true;
@@ -57,13 +76,17 @@ Union unionOf(const Model& model) {
   for (const Part& part : model.parts) {
     if (!part.finer.empty()) continue;
     if (all.part.name.empty()) all.part.name = part.name;
-    const std::size_t shown = part.instances.size() - std::min(part.instances.size(), part.hidden);
+    std::size_t shown = part.instances.size() - std::min(part.instances.size(), part.hidden);
+    if (skin >= 0 && shown > 0) {
+      shown = 1;
+      all.part.instances = {part.instances.front()};
+    }
     for (std::size_t i = 0; i < shown; ++i) {
       TriangleMesh mesh = part.mesh;
       std::erase_if(mesh.attributes, [&](const Attribute& attribute) {
-        return isOfMotion(attribute.semantic) && (dropped.insert(attribute.semantic), true);
+        return isDropped(attribute.semantic, skin) && (dropped.insert(attribute.semantic), true);
       });
-      transformMesh(mesh, part.instances[i]);
+      if (skin < 0) transformMesh(mesh, part.instances[i]);
       appendGroups(all.part.mesh.groups, mesh, Index(all.part.groups.size()));
       all.part.mesh.isSingle = all.part.mesh.isSingle && mesh.isSingle;
       appendMesh(all.part.mesh, mesh);
@@ -80,15 +103,15 @@ Union unionOf(const Model& model) {
   return all;
 }
 
-// The primitives of these meshes, as those of one that does not move.
-Json primitivesOf(const Json& tree, const std::vector<int>& meshes) {
+// The primitives of these meshes, as those of one.
+Json primitivesOf(const Json& tree, const std::vector<int>& meshes, int skin) {
   Json primitives = Json::array();
   for (const int mesh : meshes)
     for (Json primitive : tree["meshes"][std::size_t(mesh)]["primitives"]) {
       primitive.erase("targets");
       Json attributes = Json::object();
       for (const auto& [semantic, accessor] : primitive["attributes"].items())
-        if (!isOfMotion(semantic)) attributes[semantic] = accessor;
+        if (!isDropped(semantic, skin)) attributes[semantic] = accessor;
       primitive["attributes"] = std::move(attributes);
       primitives.push_back(std::move(primitive));
     }
@@ -96,13 +119,14 @@ Json primitivesOf(const Json& tree, const std::vector<int>& meshes) {
 }
 
 // Returns the number of the new mesh.
-std::size_t addMesh(Json& tree, const std::vector<int>& meshes, const std::string& name) {
+std::size_t addMesh(Json& tree, const std::vector<int>& meshes, const std::string& name, int skin) {
   const std::size_t before = tree["meshes"].size();
-  tree["meshes"].push_back({{"name", name}, {"primitives", primitivesOf(tree, meshes)}});
+  tree["meshes"].push_back({{"name", name}, {"primitives", primitivesOf(tree, meshes, skin)}});
   std::set<std::size_t> old;
   for (std::size_t m = 0; m < before; ++m) old.insert(m);
   const std::size_t node = tree["nodes"].size();
   tree["nodes"].push_back({{"name", name}, {"mesh", before}});
+  if (skin >= 0) tree["nodes"].back()["skin"] = skin;
   const std::size_t scene = tree.value("scene", std::size_t{0});
   tree["scenes"][scene]["nodes"].push_back(node);
   dropMeshes(tree, old);
@@ -113,10 +137,11 @@ std::size_t addMesh(Json& tree, const std::vector<int>& meshes, const std::strin
 
 void uniteGltf(Model& model) {
   const auto* const document = dynamic_cast<const GltfDocument*>(model.source.get());
-  Union all = unionOf(model);
+  const int skin = commonSkin(model, document->tree);
+  Union all = unionOf(model, skin);
   if (all.sources.size() < 2) return;
   Json tree = document->tree;
-  all.part.source = int(addMesh(tree, all.sources, all.part.name));
+  all.part.source = int(addMesh(tree, all.sources, all.part.name, skin));
   PackedGltf packed = packGltf(std::move(tree), document->buffers, {});
   const File file{document->original.name, packGlb(packed.tree, packed.data)};
   const std::shared_ptr<GltfDocument> united = openGltf(file, document->resources);
@@ -127,13 +152,14 @@ void uniteGltf(Model& model) {
   model.parts.push_back(std::move(all.part));
   if (all.dropped > 0)
     model.warnings.push_back({"ATTRIBUTE_NOT_CARRIED",
-                              "Joints, weights and morph targets are not carried: the united mesh "
-                              "does not move.",
+                              skin < 0 ? "Joints, weights and morph targets are not carried: the "
+                                         "united mesh does not move."
+                                       : "Morph targets are not carried.",
                               all.dropped});
 }
 
 void uniteParts(Model& model) {
-  Union all = unionOf(model);
+  Union all = unionOf(model, -1);
   if (all.sources.size() < 2) return;
   model.source = nullptr;
   model.parts.clear();

@@ -7,8 +7,9 @@
 
 namespace remesher::io {
 
-// The model, read from glTF, with one part in the world; other nodes stay and show nothing. The
-// mesh is neither skinned nor animated: ATTRIBUTE_NOT_CARRIED counts the attributes that go.
+// The model, read from glTF, with one part in the world; other nodes stay and show nothing. One
+// skin of all meshes stays. The mesh is not animated else: ATTRIBUTE_NOT_CARRIED counts the
+// attributes that go.
 void uniteGltf(Model& model);
 
 // The same of a model of any format, which keeps nothing but its part.
