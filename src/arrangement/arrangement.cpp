@@ -130,6 +130,7 @@ class Run {
     const GivenPlane corners = triangles_[triangle];
     for (Eigen::Index k = 0; k < 3; ++k)
       if (corners[std::size_t(k)] == point) return Vec3::Unit(k);
+    if (!options_.wantsWeights) return Vec3::Zero();
     return points_.barycentric(corners, point);
   }
 

@@ -33,8 +33,9 @@ struct ArrangementInput {
 
 struct ArrangementOptions {
   InsideRule isInside = isWound;
-  bool isSingle = false;  // new points in single precision of the written coordinates
-  Frame frame = {};       // of the coordinates, as in TriangleMesh
+  bool isSingle = false;     // new points in single precision of the written coordinates
+  Frame frame = {};          // of the coordinates, as in TriangleMesh
+  bool wantsWeights = true;  // of corners that are not their parent's; else these are 0
   std::size_t mostWork = std::size_t{1} << 31;  // steps: pairs of triangles, points, flips, signs
 };
 

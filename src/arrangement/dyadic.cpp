@@ -27,8 +27,30 @@ Dyadic Dyadic::zeros(std::size_t size, int exponent) {
   Dyadic result;
   result.size_ = static_cast<std::uint32_t>(size);
   result.exponent_ = exponent;
-  if (size > kNear) result.far_.assign(size, 0);
+  if (size > kNear)
+    result.far_.assign(size, 0);
+  else
+    std::fill_n(result.near_.begin(), size, Limb{0});
   return result;
+}
+
+// Most numbers have few limbs: copying the others would take most of the time.
+void Dyadic::takeNear(const Dyadic& other) {
+  size_ = other.size_, exponent_ = other.exponent_, sign_ = other.sign_;
+  if (size_ <= kNear) std::copy_n(other.near_.begin(), size_, near_.begin());
+}
+
+Dyadic& Dyadic::operator=(const Dyadic& other) {
+  if (this == &other) return *this;
+  takeNear(other);
+  if (size_ > kNear) far_ = other.far_;
+  return *this;
+}
+
+Dyadic& Dyadic::operator=(Dyadic&& other) noexcept {
+  takeNear(other);
+  if (size_ > kNear) std::swap(far_, other.far_);
+  return *this;
 }
 
 Dyadic::Dyadic(double finite) {

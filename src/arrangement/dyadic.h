@@ -6,13 +6,19 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace remesher {
 
 class Dyadic {
  public:
-  Dyadic() = default;              // 0
+  Dyadic() = default;  // 0
+  Dyadic(const Dyadic& other) : Dyadic() { *this = other; }
+  Dyadic(Dyadic&& other) noexcept : Dyadic() { *this = std::move(other); }
+  Dyadic& operator=(const Dyadic& other);
+  Dyadic& operator=(Dyadic&& other) noexcept;
+  ~Dyadic() = default;
   explicit Dyadic(double finite);  // its exact value
 
   int sign() const { return size_ == 0 ? 0 : sign_; }
@@ -34,6 +40,7 @@ class Dyadic {
   using Limb = std::uint32_t;
   static constexpr std::size_t kNear = 24;  // limbs held without an allocation
 
+  void takeNear(const Dyadic& other);
   static Dyadic sum(const Dyadic& x, const Dyadic& y, int ySign);
   static Dyadic zeros(std::size_t size, int exponent);
   // The limb that counts 2^(32 place).
@@ -46,8 +53,8 @@ class Dyadic {
   std::uint32_t size_ = 0;
   std::int32_t exponent_ = 0;
   std::int32_t sign_ = 1;
-  std::array<Limb, kNear> near_{};
-  std::vector<Limb> far_;  // holds the limbs if there are more than kNear
+  std::array<Limb, kNear> near_;  // only the first size_ are set
+  std::vector<Limb> far_;         // holds the limbs if there are more than kNear
 };
 
 // The double nearest to x / w; of two equally near ones the lower. It depends only on the quotient,

@@ -150,6 +150,7 @@ std::optional<United> arranged(const TriangleMesh& bodies, const Operands& opera
   const Welded welded = weldedOf(bodies, operands);
   ArrangementOptions options;
   options.isInside = operands.isInside;
+  options.wantsWeights = !bodies.attributes.empty();
   options.isSingle = bodies.isSingle, options.frame = bodies.frame;
   options.mostWork = kWorkBesides + kWorkPerTriangle * bodies.triangleCount();
   const ArrangementResult found = arrange(welded.input, options);
