@@ -107,11 +107,24 @@ void removeMaps(Json& value) {
   for (const std::string& key : keys) value.erase(key);
 }
 
+// A material says nothing with these: some exporters write them, others do not.
+void dropDefaults(Json& material) {
+  const auto drop = [&](const char* key, const Json& usual) {
+    if (material.contains(key) && material[key] == usual) material.erase(key);
+  };
+  drop("alphaMode", "OPAQUE");
+  drop("alphaCutoff", 0.5);
+  drop("doubleSided", false);
+  drop("extensions", Json::object());
+  drop("extras", Json::object());
+}
+
 // The material without its name and everything that can be painted.
 Json restOf(Json material) {
   for (const char* key : {"name", "pbrMetallicRoughness", "normalTexture", "occlusionTexture",
                           "emissiveTexture", "emissiveFactor"})
     material.erase(key);
+  dropDefaults(material);
   return material;
 }
 
