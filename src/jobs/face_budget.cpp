@@ -13,6 +13,9 @@ constexpr int kMostTries = 5, kMostTriesOfQuads = 3;
 // So many times fewer faces than the budget are near enough: a vertex more changes the number of
 // open edges as well.
 constexpr std::size_t kNearTriangles = 2000, kNearQuads = 25;
+// Parts of a scene that have as few vertices as their shape allows take no part: each time that
+// there are still too many triangles, twice as many vertices fewer are asked for, up to this power.
+constexpr int kMostDoublings = 16;
 // Each time that there are still too many quads, by so much more of the budget fewer are asked for:
 // neighbouring numbers of vertices give the same quads.
 constexpr double kFewerQuads = 0.01;
@@ -57,6 +60,8 @@ bool FaceSearch::take(const MeshReport& made) {
   double missing = std::floor((double(budget_) - double(faces)) / facesPerVertex_);
   if (areQuads_ && faces > budget_)
     missing = std::min(missing, -std::ceil(kFewerQuads * beyond_++ * double(budget_)));
+  else if (faces > budget_)
+    missing = std::min(missing, -std::ldexp(1.0, std::min(beyond_++, kMostDoublings)));
   const double vertices = double(next_) + missing;
   const bool isNear = faces <= budget_ && budget_ - faces <= closeEnough_;
   const int most = best_ <= budget_ ? kMostTries : kMostTries + kMostTriesOfQuads - 1;

@@ -42,7 +42,7 @@ class FaceSearch {
   Index next_;
   std::size_t best_ = 0;  // faces of the best result; 0: none yet
   int tries_ = 0;
-  int beyond_ = 0;  // results with more quads than the budget
+  int beyond_ = 0;  // results with more faces than the budget
   bool isSettled_ = false;
 };
 

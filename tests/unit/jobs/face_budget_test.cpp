@@ -63,6 +63,20 @@ TEST_CASE("face budget: of results beyond it the smallest is kept, of others the
   CHECK_FALSE(search.take(surface(102, 2, 0)));
 }
 
+TEST_CASE("face budget: parts that give up no triangle for some vertices come within it") {
+  for (const Index step : {2U, 12U, 40U}) {
+    FaceSearch search(budgetOf(5000), surface(80000, 2, 0));
+    std::size_t best = 0;
+    while (!search.isSettled()) {
+      const Index vertices = search.vertices();
+      const std::size_t faces = vertices + step > 2502 ? 5001 : 2 * std::size_t{vertices} - 3;
+      if (search.take(surface(faces, 2, 0))) best = faces;
+    }
+    CHECK(best <= 5000);
+    CHECK(best >= 4800);
+  }
+}
+
 TEST_CASE("face budget: quads that come in steps stay within it") {
   RemeshOptions options = budgetOf(1800);
   options.quads = true;
