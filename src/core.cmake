@@ -115,6 +115,7 @@ set(small
   src/io/gltf/gltf_reader.cpp
   src/io/gltf/gltf_references.cpp
   src/io/gltf/gltf_scene.cpp
+  src/io/gltf/gltf_shared_levels.cpp
   src/io/gltf/gltf_union.cpp
   src/io/gltf/gltf_writer.cpp
   src/io/gltf/library/tinygltf.cpp

@@ -30,6 +30,7 @@ add_executable(unit_tests
   tests/unit/io/gltf/gltf_encoder_test.cpp
   tests/unit/io/gltf/gltf_errors_test.cpp
   tests/unit/io/gltf/gltf_reader_test.cpp
+  tests/unit/io/gltf/gltf_shared_levels_test.cpp
   tests/unit/io/gltf/gltf_union_test.cpp
   tests/unit/io/gltf/gltf_writer_test.cpp
   tests/unit/io/gltf/tree/gltf_extensions_test.cpp

@@ -13,13 +13,30 @@ namespace remesher {
 
 namespace {
 
+// Gives a part its levels, finest first. One that is no coarser than that before it is left out:
+// the one before is shown until the next takes over.
+void addLods(io::Part& part, std::vector<TriangleMesh> levels) {
+  std::vector<double> coverages;
+  std::size_t least = part.mesh.triangleCount();
+  for (std::size_t k = 0; k < levels.size(); ++k) {
+    if (levels[k].triangleCount() >= least) continue;
+    least = levels[k].triangleCount();
+    if (k < part.coverages.size()) coverages.push_back(part.coverages[k]);
+    part.lods.push_back(std::move(levels[k]));
+  }
+  part.coverages = std::move(coverages);
+}
+
 // The model with the finest level as its parts, which hold the coarser ones.
 io::Model withLods(io::Model model, std::vector<SceneRun>& runs) {
   model.parts = std::move(runs.front().parts);
   setCoverages(model.parts, runs.front().report);
-  for (std::size_t level = 1; level < runs.size(); ++level)
-    for (std::size_t i = 0; i < model.parts.size(); ++i)
-      model.parts[i].lods.push_back(std::move(runs[level].parts[i].mesh));
+  for (std::size_t i = 0; i < model.parts.size(); ++i) {
+    std::vector<TriangleMesh> levels;
+    for (std::size_t level = 1; level < runs.size(); ++level)
+      levels.push_back(std::move(runs[level].parts[i].mesh));
+    addLods(model.parts[i], std::move(levels));
+  }
   return model;
 }
 

@@ -43,7 +43,7 @@ function primitivesOf(result) {
       .map(([name, accessor]) => [name, valuesOf(opened, accessor)])) }));
 }
 
-test('levels of detail share the maps of the finest, and its places on them', async () => {
+test('levels of detail share the maps of the finest, its vertices and places on them', async () => {
   const result = await bake({ faces: 1000, lods: [0.5, 0.25] });
   assert.deepEqual(await validate(result), []);
   const alone = openGltf(await bake({ faces: 1000 })).tree;
@@ -52,6 +52,8 @@ test('levels of detail share the maps of the finest, and its places on them', as
   assert.equal(tree.materials.length, 1);
   const [finest, ...levels] = primitivesOf(result);
   assert.deepEqual([finest, ...levels].map(({ indices }) => indices.length / 3), [1000, 500, 250]);
+  const used = tree.meshes.map(({ primitives: [{ attributes }] }) => attributes);
+  assert.deepEqual(used, [used[0], used[0], used[0]], 'one set of vertices');
   const corners = new Set(finest.POSITION.map((p, i) => `${p} ${finest.TEXCOORD_0[i]}`));
   for (const level of levels) {
     assert.equal(level.material, finest.material);

@@ -4,6 +4,7 @@ import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 
 import decodePng, { init } from '@jsquash/png/decode.js';
+import { generateTangents } from 'mikktspace';
 
 import { openGltf, valuesOf } from './gltf.js';
 
@@ -19,6 +20,33 @@ await init(new WebAssembly.Module(readFileSync(wasm)));
 /** @param {Uint8Array} bytes a PNG */
 const decodeImage = (bytes) => decodePng(bytes.slice().buffer);
 
+/**
+ * The tangents that a reader gives the corners of triangles without any, by MikkTSpace, for
+ * textures that begin at the bottom.
+ * @param {any} primitive its indices, and its values by attribute
+ * @returns {number[][]}
+ */
+export function tangentsOf(primitive) {
+  // MikkTSpace forgets to sort the last vertex's edges, and may miss neighbours there: so another
+  // triangle, far from all, stands last.
+  const last = { POSITION: [7, 7, 7, 8, 7, 7, 7, 8, 7], NORMAL: [0, 0, 1, 0, 0, 1, 0, 0, 1],
+    TEXCOORD_0: [0, 0, 1, 0, 0, 1] };
+  const corners = (name, size) => Float32Array.from(
+    [...primitive.indices.flatMap((i) => primitive[name][i].slice(0, size)), ...last[name]]);
+  const tangents = generateTangents(corners('POSITION', 3), corners('NORMAL', 3),
+    corners('TEXCOORD_0', 2));
+  return primitive.indices.map((_, i) =>
+    [...tangents.subarray(4 * i, 4 * i + 3), -tangents[4 * i + 3]]);
+}
+
+/** @param {any} primitive without tangents, whose textures need some */
+function addTangents(primitive) {
+  primitive.TANGENT = [];
+  tangentsOf(primitive).forEach((tangent, corner) => {
+    primitive.TANGENT[primitive.indices[corner]] = tangent;
+  });
+}
+
 /** The glTF tree, the first primitive's attributes and indices, and the PNG images by name. */
 export async function baked(file) {
   const { tree, data } = openGltf(file);
@@ -32,6 +60,7 @@ export async function baked(file) {
     if (mimeType !== 'image/png') continue;
     images[name] = await decodeImage(data.subarray(byteOffset, byteOffset + byteLength));
   }
+  if (images.normal && !primitive.TANGENT) addTangents(primitive);
   return { tree, primitive, images };
 }
 
@@ -84,12 +113,14 @@ function texel({ primitive, images }, corners, weights, at) {
     return a.map((x, k) => weights[0] * x + weights[1] * b[k] + weights[2] * c[k]);
   };
   const normal = unit(mix('NORMAL'));
+  const place = { position: mix('POSITION'),
+    colour: [...images.baseColor.data.subarray(at, at + 4)] };
+  if (!images.normal) return { ...place, normal }; // they are flat
   const tangent = unit(mix('TANGENT').slice(0, 3));
   const bitangent = cross(normal, tangent).map((s) => s * primitive.TANGENT[corners[0]][3]);
   const [r, s, n] = [0, 1, 2].map((k) => (2 * images.normal.data[at + k]) / 255 - 1);
   return {
-    position: mix('POSITION'),
-    colour: [...images.baseColor.data.subarray(at, at + 4)],
+    ...place,
     normal: unit(normal.map((_, k) => r * tangent[k] + s * bitangent[k] + n * normal[k])),
   };
 }

@@ -2,6 +2,7 @@
 #include "io/gltf/gltf_editor.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <utility>
 
@@ -77,6 +78,14 @@ Json without(Json list, const std::set<std::size_t>& gone) {
   for (std::size_t i = 0; i < list.size(); ++i)
     if (gone.count(i) == 0) kept.push_back(std::move(list[i]));
   return kept;
+}
+
+// The pool for several meshes with `count` primitives each, numbered through.
+VertexPool repeated(VertexPool pool, std::size_t count, std::size_t meshes) {
+  const std::vector<int> own = pool.primitives;
+  for (std::size_t level = 1; level < meshes; ++level)
+    for (const int number : own) pool.primitives.push_back(int(level * count) + number);
+  return pool;
 }
 
 // By mesh the nodes that show it with weights of their own.
@@ -208,35 +217,48 @@ void GltfEditor::rewritePrimitive(Json& primitive, const AccessorsBySemantic& ac
 
 void GltfEditor::replaceGeometry(std::size_t meshNumber, const TriangleMesh& mesh,
                                  const std::vector<VertexPool>& pools, Texcoords texcoords) {
+  replaceGeometries(std::array{meshNumber}, mesh, pools, texcoords);
+}
+
+void GltfEditor::replaceGeometries(std::span<const std::size_t> meshes, const TriangleMesh& mesh,
+                                   const std::vector<VertexPool>& pools, Texcoords texcoords) {
   // Moved out, because additions to the document may reallocate its contents.
-  Json primitives = std::move(tree_["meshes"][meshNumber]["primitives"]);
-  std::set<std::size_t> emptied;
+  std::vector<Json> primitives;
+  for (const std::size_t number : meshes)
+    primitives.push_back(std::move(tree_["meshes"][number]["primitives"]));
+  const std::size_t count = primitives.front().size();
+  std::vector<std::set<std::size_t>> emptied(meshes.size());
   PoolEncoder encoder(mesh, document_);
   for (const VertexPool& pool : pools) {
-    const EncodedPool encoded = encoder.encode(pool);
+    const EncodedPool encoded = encoder.encode(repeated(pool, count, meshes.size()));
     const AccessorsBySemantic accessors = addAttributes(encoded, pool);
-    for (const int number : pool.primitives) {
-      Json& primitive = primitives[number];
-      abandon(primitive);
-      const auto triangles = encoded.triangles.find(number);
-      if (triangles == encoded.triangles.end()) {
-        emptied.insert(static_cast<std::size_t>(number));
-        continue;
+    for (std::size_t level = 0; level < meshes.size(); ++level) {
+      for (const int number : pool.primitives) {
+        Json& primitive = primitives[level][number];
+        abandon(primitive);
+        const auto triangles = encoded.triangles.find(int(level * count) + number);
+        if (triangles == encoded.triangles.end()) {
+          emptied[level].insert(static_cast<std::size_t>(number));
+          continue;
+        }
+        rewritePrimitive(primitive, accessors,
+                         addIndices(primitive, triangles->second, encoded.vertexCount), texcoords);
+        if (mesh.isQuads) forgetPolygons(primitive);
+        settlePrimitive(tree_, primitive, texcoords, lost_);
+        if (mesh.isQuads) primitive["extensions"][kPolygons] = Json::object();
       }
-      rewritePrimitive(primitive, accessors,
-                       addIndices(primitive, triangles->second, encoded.vertexCount), texcoords);
-      if (mesh.isQuads) forgetPolygons(primitive);
-      settlePrimitive(tree_, primitive, texcoords, lost_);
-      if (mesh.isQuads) primitive["extensions"][kPolygons] = Json::object();
     }
   }
-  tree_["meshes"][meshNumber]["primitives"] = without(std::move(primitives), emptied);
-  settleHolder(tree_["meshes"][meshNumber], lost_);
+  for (std::size_t level = 0; level < meshes.size(); ++level) {
+    Json& changed = tree_["meshes"][meshes[level]];
+    changed["primitives"] = without(std::move(primitives[level]), emptied[level]);
+    settleHolder(changed, lost_);
+  }
   Json& used = tree_["extensionsUsed"];
   if (mesh.isQuads && std::find(used.begin(), used.end(), kPolygons) == used.end())
     used.push_back(kPolygons);
   if (used.empty()) tree_.erase("extensionsUsed");
-  dropForeignWeights(meshNumber);
+  for (const std::size_t number : meshes) dropForeignWeights(number);
 }
 
 // Drops weights whose number differs from the number of morph targets: targets may have gone with

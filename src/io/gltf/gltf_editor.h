@@ -5,6 +5,7 @@
 
 #include <map>
 #include <set>
+#include <span>
 #include <vector>
 
 #include "base/triangle_mesh.h"
@@ -25,6 +26,11 @@ class GltfEditor {
   // any.
   void replaceGeometry(std::size_t meshNumber, const TriangleMesh& mesh,
                        const std::vector<VertexPool>& pools, Texcoords texcoords = Texcoords::Kept);
+
+  // The same for several meshes with the same primitives, whose triangles have one set of vertices:
+  // the groups of the k-th mesh are raised by k times the number of primitives.
+  void replaceGeometries(std::span<const std::size_t> meshes, const TriangleMesh& mesh,
+                         const std::vector<VertexPool>& pools, Texcoords texcoords);
 
   // Adds a file as a buffer view; returns its number.
   std::size_t addFile(const Bytes& bytes);

@@ -78,7 +78,6 @@ EncodedAccessor encodeRows(const Table& table, const Encoding& encoding) {
 }
 
 int indexType(int wanted, std::size_t vertexCount) {
-  if (wanted == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT) return wanted;
   if (wanted == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE && vertexCount <= 0xFF) return wanted;
   return vertexCount <= 0xFFFF ? TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT
                                : TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;

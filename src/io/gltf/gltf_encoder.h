@@ -31,8 +31,8 @@ struct EncodedAccessor {
 EncodedAccessor encodeRows(const Table& table, const Encoding& encoding);
 EncodedAccessor encodeIndices(std::span<const Index> indices, int componentType);
 
-// The smallest type that is at least the file's own and can index `vertexCount` vertices; a type's
-// largest value is not an index. `wanted` is the file's type, 0 if it had none.
+// The smallest type of two bytes or more that can index `vertexCount` vertices; a type's largest
+// value is not an index. `wanted` is the file's type, 0 if it had none: bytes stay bytes.
 int indexType(int wanted, std::size_t vertexCount);
 
 // Makes NORMAL and TANGENT unit vectors (a zero vector gets some direction), and TANGENT's w 1 or

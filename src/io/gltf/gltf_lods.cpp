@@ -3,9 +3,11 @@
 #include "io/gltf/gltf_lods.h"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 
+#include "io/gltf/gltf_shared_levels.h"
 #include "io/gltf/tree/gltf_levels.h"
 
 namespace remesher::io {
@@ -82,8 +84,8 @@ void LodWriter::moveAlike(std::size_t node, std::size_t other) {
   }
 }
 
-void LodWriter::addNodes(std::size_t node, const std::vector<std::size_t>& meshes,
-                         const std::vector<double>& coverages) {
+void LodWriter::addNodesOf(std::size_t node, const std::vector<std::size_t>& meshes,
+                           const std::vector<double>& coverages) {
   Json& nodes = editor_.tree()["nodes"];
   Json numbers = Json::array();
   for (std::size_t i = 0; i < meshes.size(); ++i) {
@@ -96,19 +98,42 @@ void LodWriter::addNodes(std::size_t node, const std::vector<std::size_t>& meshe
   setCoverage(nodes[node], coverages);
 }
 
-void LodWriter::add(const FinestLevel& finest, const std::vector<TriangleMesh>& levels) {
-  Json& tree = editor_.tree();
-  if (levels.empty() || !tree.contains("nodes")) return;
-  index();
+std::vector<std::size_t> LodWriter::addMeshes(const FinestLevel& finest, std::size_t levels) {
+  Json& all = editor_.tree()["meshes"];
   std::vector<std::size_t> meshes;
-  for (const TriangleMesh& level : levels) {
-    meshes.push_back(tree["meshes"].size());
-    tree["meshes"].push_back(finest.mesh);
-    rename(tree["meshes"].back(), meshes.size());
-    editor_.replaceGeometry(meshes.back(), level, finest.pools, finest.texcoords);
+  while (meshes.size() < levels) {
+    meshes.push_back(all.size());
+    all.push_back(finest.mesh);
+    rename(all.back(), meshes.size());
   }
-  for (const std::size_t node : nodesOf_[finest.number]) addNodes(node, meshes, finest.coverages);
-  declareExtension(tree);
+  return meshes;
+}
+
+void LodWriter::add(const FinestLevel& finest, const std::vector<TriangleMesh>& levels) {
+  if (levels.empty() || !editor_.tree().contains("nodes")) return;
+  const std::vector<std::size_t> meshes = addMeshes(finest, levels.size());
+  for (std::size_t i = 0; i < levels.size(); ++i)
+    editor_.replaceGeometry(meshes[i], levels[i], finest.pools, finest.texcoords);
+  addNodes(finest, meshes);
+}
+
+std::vector<std::size_t> LodWriter::addShared(const FinestLevel& finest, const TriangleMesh& mesh,
+                                              const std::vector<TriangleMesh>& levels) {
+  if (!editor_.tree().contains("nodes")) return {};
+  const std::optional<TriangleMesh> shared =
+      sharedLevels(mesh, levels, Index(finest.mesh["primitives"].size()));
+  if (!shared) return {};
+  std::vector<std::size_t> meshes = addMeshes(finest, levels.size());
+  std::vector<std::size_t> all = {finest.number};
+  all.insert(all.end(), meshes.begin(), meshes.end());
+  editor_.replaceGeometries(all, *shared, finest.pools, finest.texcoords);
+  return meshes;
+}
+
+void LodWriter::addNodes(const FinestLevel& finest, const std::vector<std::size_t>& meshes) {
+  index();
+  for (const std::size_t node : nodesOf_[finest.number]) addNodesOf(node, meshes, finest.coverages);
+  declareExtension(editor_.tree());
 }
 
 }  // namespace remesher::io

@@ -30,6 +30,12 @@ class LodWriter {
   // finest first.
   void add(const FinestLevel& finest, const std::vector<TriangleMesh>& levels);
 
+  // The same in two steps, for levels that share the finest one's vertices: first the geometry of
+  // the mesh and its levels, if they do. Returns the meshes of the levels, or none.
+  std::vector<std::size_t> addShared(const FinestLevel& finest, const TriangleMesh& mesh,
+                                     const std::vector<TriangleMesh>& levels);
+  void addNodes(const FinestLevel& finest, const std::vector<std::size_t>& meshes);
+
  private:
   // A channel of an animation.
   struct Channel {
@@ -37,8 +43,9 @@ class LodWriter {
   };
 
   void index();
-  void addNodes(std::size_t node, const std::vector<std::size_t>& meshes,
-                const std::vector<double>& coverages);
+  std::vector<std::size_t> addMeshes(const FinestLevel& finest, std::size_t levels);
+  void addNodesOf(std::size_t node, const std::vector<std::size_t>& meshes,
+                  const std::vector<double>& coverages);
   void moveAlike(std::size_t node, std::size_t other);
 
   GltfEditor& editor_;

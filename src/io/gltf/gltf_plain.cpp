@@ -17,13 +17,14 @@ namespace remesher::io {
 namespace {
 
 // One primitive per group. Groups that lack the same attributes share a pool, whose accessors are
-// added later.
-std::vector<VertexPool> poolsOfGroups(const Part& part) {
+// added later. Painted parts need no tangents: a reader makes the same ones.
+std::vector<VertexPool> poolsOfGroups(const Part& part, bool isPainted) {
   PoolList pools;
   const std::size_t count = groupCount(part.mesh);
   for (std::size_t group = 0; group < count; ++group) {
     AccessorsBySemantic accessors = {{"POSITION", -1}};
     for (const Attribute& attribute : part.mesh.attributes) accessors[attribute.semantic] = -1;
+    if (isPainted) accessors.erase("TANGENT");
     if (group < part.groups.size())
       for (const std::string& semantic : part.groups[group].lacks) accessors.erase(semantic);
     pools.add(std::move(accessors), static_cast<int>(group));
@@ -97,17 +98,25 @@ PackedGltf plainGltf(const Model& model) {
   std::vector<FinestLevel> finest;
   for (std::size_t i = 0; i < model.parts.size(); ++i) {
     const Part& part = model.parts[i];
-    const std::vector<VertexPool> pools = poolsOfGroups(part);
+    const std::vector<VertexPool> pools = poolsOfGroups(part, !model.paintings.empty());
     finest.push_back(
         {i, plainMesh(materials, part, pools), pools, Texcoords::Kept, part.coverages});
     editor.tree()["meshes"].push_back(finest.back().mesh);
-    editor.replaceGeometry(i, converted(part.mesh, model.conventions, Conventions::Gltf), pools);
   }
   LodWriter levels(editor);
   for (std::size_t i = 0; i < model.parts.size(); ++i) {
+    const auto inGltf = [&](const TriangleMesh& mesh) {
+      return converted(mesh, model.conventions, Conventions::Gltf);
+    };
+    const TriangleMesh mesh = inGltf(model.parts[i].mesh);
     std::vector<TriangleMesh> lods;
-    for (const TriangleMesh& lod : model.parts[i].lods)
-      lods.push_back(converted(lod, model.conventions, Conventions::Gltf));
+    for (const TriangleMesh& lod : model.parts[i].lods) lods.push_back(inGltf(lod));
+    const std::vector<std::size_t> shared = levels.addShared(finest[i], mesh, lods);
+    if (!shared.empty()) {
+      levels.addNodes(finest[i], shared);
+      continue;
+    }
+    editor.replaceGeometry(i, mesh, finest[i].pools);
     levels.add(finest[i], lods);
   }
   return packGltf(std::move(editor.tree()), {editor.newData()}, {});

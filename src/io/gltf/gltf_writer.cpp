@@ -200,9 +200,11 @@ bool hasAny(const Part& part, const VertexPool& pool, const char* semantic) {
 }
 
 // The pools of a painted part, with new accessors for the painted attributes instead of the old
-// ones.
+// ones. Tangents are written only where the file had some: they are those that a reader makes
+// where there are none.
 std::vector<VertexPool> paintedPools(const Part& part, std::vector<VertexPool> pools) {
   for (VertexPool& pool : pools) {
+    const bool hadTangents = pool.accessors.count("TANGENT") == 1;
     std::erase_if(pool.accessors, [&](const auto& entry) {
       const std::string own = entry.first.substr(entry.first.find('/') + 1);
       const bool isOfLook =
@@ -210,7 +212,8 @@ std::vector<VertexPool> paintedPools(const Part& part, std::vector<VertexPool> p
       return isOfLook && findAttribute(part.mesh, own) == nullptr;
     });
     for (const char* made : {"NORMAL", "TANGENT", "TEXCOORD_0"})
-      if (findAttribute(part.mesh, made) != nullptr && hasAny(part, pool, made))
+      if (findAttribute(part.mesh, made) != nullptr && hasAny(part, pool, made) &&
+          (hadTangents || std::string_view(made) != "TANGENT"))
         pool.accessors[made] = -1;
   }
   return pools;
@@ -287,6 +290,8 @@ WrittenFiles writeDocument(const GltfDocument& document, const Model& model,
   const std::size_t firstPainting = isPainted ? addPaintings(editor.tree(), model) : 0;
   std::size_t lostVariants = 0;
   std::set<std::size_t> jointless;
+  LodWriter levels(editor);
+  std::map<std::size_t, std::vector<std::size_t>> shared;  // by part: the meshes of its levels
   for (const std::size_t i : replaced) {
     const auto mesh = static_cast<std::size_t>(model.parts[i].source);
     std::vector<VertexPool> pools = vertexPools(document, mesh);
@@ -295,15 +300,22 @@ WrittenFiles writeDocument(const GltfDocument& document, const Model& model,
       lostVariants +=
           usePaintings(editor.tree()["meshes"][mesh]["primitives"], model.parts[i], firstPainting);
     }
-    editor.replaceGeometry(mesh, model.parts[i].mesh, pools,
-                           isPainted ? Texcoords::Painted : Texcoords::Kept);
+    shared[i] = levels.addShared(finestLevel(document, model, i, firstPainting),
+                                 model.parts[i].mesh, model.parts[i].lods);
+    if (shared[i].empty())
+      editor.replaceGeometry(mesh, model.parts[i].mesh, pools,
+                             isPainted ? Texcoords::Painted : Texcoords::Kept);
     if (isSkinned(document.tree, mesh) && !isSkinned(editor.tree(), mesh)) jointless.insert(mesh);
   }
   dropSkins(editor.tree(), jointless);
-  LodWriter levels(editor);
-  for (std::size_t i = 0; i < model.parts.size(); ++i)
-    if (!model.parts[i].lods.empty())
-      levels.add(finestLevel(document, model, i, firstPainting), model.parts[i].lods);
+  for (std::size_t i = 0; i < model.parts.size(); ++i) {
+    if (model.parts[i].lods.empty()) continue;
+    const FinestLevel finest = finestLevel(document, model, i, firstPainting);
+    if (shared[i].empty())
+      levels.add(finest, model.parts[i].lods);
+    else
+      levels.addNodes(finest, shared[i]);
+  }
   editor.lost().accessors.merge(dropNodes(editor.tree(), oldLevels));
   settlePointers(document.tree, editor.tree(), editor.lost());
   editor.lost().accessors.merge(

@@ -28,7 +28,8 @@ TEST_CASE("gltf_encoder: index types are the file's own where they suffice") {
         TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT);
   CHECK(indexType(0, 65535) == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT);
   CHECK(indexType(0, 65536) == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT);
-  CHECK(indexType(TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, 3) == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT);
+  CHECK(indexType(TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, 3) ==
+        TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT);
 }
 
 TEST_CASE("gltf_encoder: directions get unit length, good ones stay bit for bit") {
