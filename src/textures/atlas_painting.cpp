@@ -336,6 +336,14 @@ class AtlasPainting {
     return made;
   }
 
+  // Whether no texel of a map of normals bends them.
+  static bool isFlat(const io::Image& normals) {
+    for (std::size_t i = 0; i < normals.texels.size(); i += 4)
+      if (std::abs(normals.texels[i] - 128) > 1 || std::abs(normals.texels[i + 1] - 128) > 1)
+        return false;
+    return true;
+  }
+
   // Adds the painted maps as a material; a value that is the same everywhere stays a factor.
   void remember(Index number, Painting painting) {
     const std::vector<io::Material> looks = looksOf(number);
@@ -371,7 +379,7 @@ class AtlasPainting {
       made.emissiveMap = add("emissive", std::move(painting.emissive), typeFor(Content::Opaque));
       made.emissive.setOnes();
     }
-    if (!first.isUnlit)
+    if (!first.isUnlit && !isFlat(painting.normal))
       made.normalMap = add("normal", std::move(painting.normal), typeFor(Content::Normals));
     made.normalScale = 1;
     if (input_.onto) made = asOwn(std::move(made), looks);
