@@ -196,5 +196,22 @@ test('other formats are refused in a sentence', async () => {
   await rejectsWith(remesh(torus(), { compress: 'draco', worker: false }), 'INVALID_OPTION',
     /compress is of files/);
   await rejectsWith(convertFile(off, { name: 'torus.off', output: 'glb', compress: 'zip' }),
-    'INVALID_OPTION', /one of meshopt, draco/);
+    'INVALID_OPTION', /one of auto, meshopt, draco/);
+});
+
+test('auto compresses as the file came, and the preset asset asks for it', async () => {
+  const made = await convertFile(off, { name: 'torus.off', output: 'a.glb' });
+  for (const compress of [undefined, ...methods]) {
+    const given = await convertFile(made.bytes, { name: 'a.glb', compress });
+    const auto = await convertFile(given.bytes,
+      { name: 'a.glb', output: 'b.glb', compress: 'auto' });
+    assert.equal(auto.compression?.method, compress);
+    const asked = { name: 'a.glb', preset: 'asset', textures: 'keep', faces: 200,
+      quality: /** @type {const} */ ('draft') };
+    const { report } = await remeshFile(given.bytes, asked);
+    assert.equal(report.compression?.method, compress);
+    assert.equal(report.preset.compress, compress && 'auto');
+    const text = await remeshFile(given.bytes, { ...asked, output: 'a.obj' });
+    assert.equal(text.report.compression, undefined);
+  }
 });

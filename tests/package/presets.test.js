@@ -43,10 +43,12 @@ test('what contradicts an option of a preset overrides it, and the others stay',
   for (const given of [{ quads: true }, { maxError: 0.1 }, { boundary: 'keep' }]) {
     const { preset: stood } = checkOptions({ preset: 'asset', ...given });
     assert.deepEqual(stood,
-      { repair: 'auto', dropBelow: 'auto', textures: 'bake', textureFormat: 'webp' });
+      { repair: 'auto', dropBelow: 'auto', textures: 'bake', textureFormat: 'webp',
+        compress: 'auto' });
   }
   const kept = checkOptions({ preset: 'asset', textures: 'keep' });
-  assert.deepEqual(kept.preset, { repair: 'auto', dropBelow: 'auto', prefer: 'shape' });
+  assert.deepEqual(kept.preset,
+    { repair: 'auto', dropBelow: 'auto', prefer: 'shape', compress: 'auto' });
   assert.equal(checkOptions({ preset: 'print', holesUpTo: 5 }).repair, 'auto');
   assert.equal(checkOptions({ preset: 'print', prefer: 'shape' }).maxError, undefined);
 });

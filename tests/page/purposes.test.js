@@ -14,7 +14,7 @@ import { octahedron, torus } from '../support/shapes.js';
 test('a preset keeps the visitor’s own target, and not that of a purpose', () => {
   const choices = [{ vertices: 500 }, { ratio: 0.5 }, { edgeLength: 2, textures: 'keep' },
     { vertices: 70, textures: 'bake', textureSize: 64 }];
-  const subject = { triangles: 996, diagonal: 3, unit: 1, exact: 0, isBaked: true,
+  const subject = { triangles: 996, diagonal: 3, unit: 1, exact: 0, isBaked: () => true,
     isPaintable: true };
   for (const preset of presets) {
     for (const own of choices) {
@@ -29,7 +29,7 @@ test('a preset keeps the visitor’s own target, and not that of a purpose', () 
 
 test('the number of a purpose is what it was set to, in the visitor’s unit', () => {
   const subject = { triangles: 9996, diagonal: 0.094, unit: 0.001, exact: 0,
-    isBaked: false, isPaintable: true };
+    isBaked: () => false, isPaintable: true };
   for (const purpose of purposes) {
     for (const amount of [firstAmount(purpose, subject), 300]) {
       const values = valuesFor(purpose, amount, subject, { isRepairOnly: false });
@@ -44,7 +44,7 @@ test('the number of a purpose is what it was set to, in the visitor’s unit', (
   assert.equal(firstAmount('asset', { ...subject, triangles: 12 }), 12);
   assert.deepEqual(valuesFor('print', 0.1, subject),
     { purpose: 'print', work: 'repair', repair: 'auto' });
-  assert.equal(valuesFor('asset', 100, { ...subject, isBaked: true }).textures, 'bake');
+  assert.equal(valuesFor('asset', 100, { ...subject, isBaked: () => true }).textures, 'bake');
   assert.equal(valuesFor('asset', 100, subject).repair, undefined, 'its openings stay');
   assert.equal(valuesFor('simulation', 1, subject).repair, 'auto');
   assert.deepEqual([0.0013, 0.9, 34, 8].map(roundLength), [0.001, 1, 50, 10]);
@@ -95,7 +95,8 @@ test('a lighter model of flat sides keeps all its corners', async () => {
   const triangles = mesh.indices.length / 3;
   const { edges } = await inspect(mesh, { edges: true });
   const exact = exactFrom(cornersOf(mesh, edges), triangles);
-  const subject = { triangles, diagonal: 20, unit: 1, exact, isBaked: false, isPaintable: false };
+  const subject = { triangles, diagonal: 20, unit: 1, exact, isBaked: () => false,
+    isPaintable: false };
   const faces = firstAmount('asset', subject);
   assert.ok(exact > 0 && exact === faces && faces < 0.9 * triangles, `${faces} of ${triangles}`);
   const { report } = await remesh(mesh, { faces, prefer: 'shape' });

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The model's size and unit: shown, chosen, and given to the purposes.
+import { isWorthBaking } from 'remesher/options';
 import { byId, element } from '../base/dom.js';
 import { length } from '../base/format.js';
 import { t } from '../base/i18n.js';
+import { treeOf } from '../files/glb.js';
 import { exactFrom } from '../model/purposes.js';
-import { hasManySeams } from '../model/seams.js';
 import { keepUnit, knownUnit, saidUnit, units } from '../model/units.js';
 
 /** @typedef {import('./page.js').Page} Page */
@@ -17,13 +18,25 @@ export function unitOption({ session: { model, isGltf } }) {
   return unit && unit !== 'none' ? { units: unit } : {};
 }
 
+/** The tree of a glTF file; undefined if it cannot be read: the reader says why.
+ * @param {Uint8Array} bytes */
+function treeIn(bytes) {
+  try {
+    return treeOf(bytes);
+  } catch {
+    return undefined;
+  }
+}
+
 /** Gives the purposes what they make their numbers of. @param {Page} page */
 export function tellPanel(page) {
   const { session: { model, inspection, isGltf }, surveying, stage, panel } = page;
   const { name, size } = page.surveying.scale;
   const isTextured = stage.viewer?.isTextured ?? true;
-  const { vertices = 0, triangles = 0 } = inspection?.input ?? {};
-  const isBaked = isGltf && model !== null && hasManySeams(model.bytes, vertices);
+  const { triangles = 0 } = inspection?.input ?? {};
+  const tree = isGltf && model ? treeIn(model.bytes) : undefined;
+  const isBaked = (/** @type {number} */ faces) =>
+    tree !== undefined && isWorthBaking(tree, Math.round(faces));
   const exact = exactFrom(surveying.corners, triangles);
   panel.setSubject({ triangles, diagonal: surveying.diagonal, unit: size, exact, isBaked,
     isPaintable: isGltf || isTextured },

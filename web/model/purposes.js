@@ -9,9 +9,9 @@ import { roundLength } from './units.js';
 
 /** What is known of the model; diagonal and unit in the model's own units; unit: of its number;
  * exact: triangles from which a body of flat sides keeps its shape, 0 if that is not known;
- * isBaked: whether a lighter one gets new textures.
+ * isBaked: whether one of so many triangles gets new textures.
  * @typedef {{ triangles: number, diagonal: number, unit: number, exact: number,
- *   isPaintable: boolean, isBaked: boolean }} Subject */
+ *   isPaintable: boolean, isBaked: (faces: number) => boolean }} Subject */
 
 /** @type {Purpose[]} */
 export const purposes = ['asset', 'print', 'simulation', 'quads'];
@@ -80,14 +80,19 @@ function targetOf(purpose, amount, { diagonal, unit }) {
 
 const ofRepair = ['repair', 'dropBelow'];
 
+/** What the page does to no file that it writes. */
+const ofFiles = ['compress'];
+
 /** The options of a purpose besides its number: those of the package's preset. New textures are
- * painted only where the old ones lie in many pieces. A lighter model keeps its openings and its
+ * painted where they pay. A lighter model keeps its openings and its
  * pieces: to repair it is a purpose of its own, and may cost looks.
- * @param {Purpose} purpose @param {Subject} subject @returns {Values} */
-function optionsOf(purpose, { isBaked }) {
-  const values = Object.entries(presets.find(({ name }) => name === purpose)?.values ?? {});
+ * @param {Purpose} purpose @param {number} amount @param {Subject} subject @returns {Values} */
+function optionsOf(purpose, amount, { isBaked }) {
+  const values = Object.entries(presets.find(({ name }) => name === purpose)?.values ?? {})
+    .filter(([name]) => !ofFiles.includes(name));
+  const isKept = (/** @type {string} */ name) => purpose !== 'asset' || !ofRepair.includes(name);
   return Object.fromEntries(values.filter(([name]) =>
-    (name.startsWith('texture') ? isBaked : purpose !== 'asset' || !ofRepair.includes(name))));
+    (name.startsWith('texture') ? isBaked(amount) : isKept(name))));
 }
 
 /** All options of a purpose. For printing the model is only repaired, unless that is asked for.
@@ -95,7 +100,7 @@ function optionsOf(purpose, { isBaked }) {
  * @param {{ isRepairOnly?: boolean }} [how] @returns {Values} */
 export function valuesFor(purpose, amount, subject, { isRepairOnly = purpose === 'print' } = {}) {
   if (purpose === 'print' && isRepairOnly) return { purpose, work: 'repair', repair: 'auto' };
-  return { purpose, ...optionsOf(purpose, subject), ...targetOf(purpose, amount, subject) };
+  return { purpose, ...optionsOf(purpose, amount, subject), ...targetOf(purpose, amount, subject) };
 }
 
 /** The purpose's number among some options; null if it is not set there.

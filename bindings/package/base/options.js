@@ -18,6 +18,7 @@ export {
   bakeNames, convertNames, repairNames, targetNames, unwrapNames,
 } from './option_lists.js';
 export { checkValue, rangeInWords } from './option_values.js';
+export { isWorthBaking } from './worth_baking.js';
 
 /** @typedef {import('./presets.js').Preset} Preset */
 /** @typedef {import('./remesh_options.js').RemeshOptions} RemeshOptions */
@@ -231,11 +232,11 @@ export const optionTable = [
   { name: 'lodFiles', flag: '--lod-files', type: 'boolean', default: false, form: false,
     needs: [{ lods: true }],
     help: 'a file for each level of detail, called after the result, not one for all' },
-  { name: 'compress', flag: '--compress C', type: 'choice', choices: ['meshopt', 'draco'],
+  { name: 'compress', flag: '--compress C', type: 'choice', choices: ['auto', 'meshopt', 'draco'],
     form: false,
     help: 'of glTF that is written: meshopt decodes fast and keeps the order of all triangles; '
       + 'draco is smaller; either moves positions by no more than a thousandth of a percent of '
-      + 'the diagonal' },
+      + 'the diagonal; auto: as the glTF came' },
   { name: 'density', type: 'floats',
     help: 'relative vertex density, one value per input vertex' },
   { name: 'featureEdges', type: 'pairs',

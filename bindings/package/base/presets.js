@@ -17,9 +17,9 @@
 export const presets = [
   { name: 'asset', help: 'a generated or scanned model for a scene, a game or AR: without '
     + 'floaters, repaired where it is broken, vertices where shape and looks need them, new '
-    + 'textures in one set',
+    + 'textures in one set, compressed if it came so',
   values: { repair: 'auto', dropBelow: 'auto', prefer: 'shape', textures: 'bake',
-    textureFormat: 'webp' } },
+    textureFormat: 'webp', compress: 'auto' } },
   { name: 'print', help: 'a closed body for printing, within 0.2 % of the diagonal',
     values: { adaptivity: 0.7, maxError: 0.2, repair: 'auto' } },
   { name: 'simulation', help: 'a closed surface of triangles whose sizes change slowly, without '
@@ -68,15 +68,35 @@ export function withPreset(given, check = () => {}) {
 }
 
 /**
+ * The options without some that their preset stands for.
+ * @param {Options} options as withPreset makes them
+ * @param {readonly string[]} names
+ * @returns {Options}
+ */
+function withoutOfPreset(options, names) {
+  const preset = /** @type {Options} */ (options.preset ?? {});
+  const left = (/** @type {Options} */ all) => Object.fromEntries(Object.entries(all)
+    .filter(([name]) => !(names.includes(name) && name in preset)));
+  return { ...left(options), preset: left(preset) };
+}
+
+/**
  * The options without the baking that their preset stands for, where nothing can be baked.
  * @param {Options} options as withPreset makes them
  * @returns {Options}
  */
 export function withoutPresetBaking(options) {
-  const names = ['textures', ...ofBaking];
-  const preset = /** @type {Options | undefined} */ (options.preset);
+  const { preset } = /** @type {{ preset?: Options }} */ (options);
   if (preset?.textures !== 'bake') return options;
-  const left = (/** @type {Options} */ all) => Object.fromEntries(Object.entries(all)
-    .filter(([name]) => !names.includes(name)));
-  return { ...left(options), preset: left(preset) };
+  return withoutOfPreset(options, ['textures', ...ofBaking]);
+}
+
+/**
+ * The options without the compression that their preset stands for, where no file came compressed
+ * or none is written that can be.
+ * @param {Options} options as withPreset makes them
+ * @returns {Options}
+ */
+export function withoutPresetCompression(options) {
+  return withoutOfPreset(options, ['compress']);
 }

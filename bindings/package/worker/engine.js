@@ -8,7 +8,7 @@ import { RemeshError } from '../base/errors.js';
 import { legible } from '../base/legible.js';
 import { inModelUnits, unitOf } from '../base/lengths.js';
 import { blocksOfPieces } from '../base/pieces.js';
-import { withoutPresetBaking } from '../base/presets.js';
+import { withoutPresetBaking, withoutPresetCompression } from '../base/presets.js';
 
 /** @typedef {import('../base/messages.js').FileRequest} FileRequest */
 /** @typedef {import('../base/messages.js').Job} Job */
@@ -249,20 +249,29 @@ const canBake = (job) => job.kind === 'remeshFile' && namesGltf(job.file.output)
   && (isGltf(job.file.bytes) || job.file.resources.some(({ name }) => /\.mtl$/i.test(name)));
 
 /** The job without the baking that a preset stands for, if nothing can be baked or new textures
- * would be worse than the model's own. @param {Job} job @returns {Promise<Job>} */
-async function withPresetSettled(job) {
-  if (!('options' in job) || !job.options.preset) return job;
+ * would be worse than the model's own, and without compression if the file came without.
+ * @param {Job} given @param {string | undefined} compress @returns {Promise<Job>} */
+async function withPresetSettled(given, compress) {
+  if (!('options' in given) || !given.options.preset) return given;
+  const job = compress ? given
+    : /** @type {typeof given} */ ({ ...given, options: withoutPresetCompression(given.options) });
   if (canBake(job)) {
     const { bytes } = /** @type {FileJob} */ (job).file;
-    const { isWorthBaking } = await import('../textures/worth_baking.js');
-    if (!isGltf(bytes) || isWorthBaking(bytes, Number(job.options.faces ?? 0))) return job;
+    const { isWorthBaking } = await import('../base/worth_baking.js');
+    const { treeIn } = await import('../codecs/gltf_container.js');
+    if (!isGltf(bytes) || isWorthBaking(treeIn(bytes), Number(job.options.faces ?? 0))) return job;
   }
   return { ...job, options: withoutPresetBaking(job.options) };
 }
 
-/** How the result's glTF is to be compressed. @param {Job} job */
-const compressionOf = (job) => /** @type {'meshopt' | 'draco' | undefined} */ (
-  'options' in job ? job.options?.compress : undefined);
+/** How the result's glTF is to be compressed: as it came, if that was asked for.
+ * @param {Job} job as it was given @returns {Promise<'meshopt' | 'draco' | undefined>} */
+async function compressionOf(job) {
+  const asked = 'options' in job ? job.options?.compress : undefined;
+  if (asked !== 'auto') return /** @type {'meshopt' | 'draco' | undefined} */ (asked);
+  if (!('file' in job) || !namesGltf(job.file.output) || !isGltf(job.file.bytes)) return undefined;
+  return (await import('../codecs/gltf_container.js')).compressionIn(job.file.bytes);
+}
 
 /** Refuses to compress what is no glTF file. @param {Job} job */
 async function requireFile(job) {
@@ -361,15 +370,16 @@ export class Engine {
    * @returns {Promise<any>}
    */
   async run(job, onProgress) {
-    if (compressionOf(job)) await requireFile(job);
-    const settled = await withPresetSettled(await plain(job));
+    const compress = await compressionOf(job);
+    if (compress) await requireFile(job);
+    const settled = await withPresetSettled(await plain(job), compress);
     const outcome = withUnitSaid(settled, withPresetSaid(settled,
       await this.#painted(withLengthsSettled(settled), onProgress)));
     if (!outcome.files) return withTexturesListed(outcome, settled);
     const fileOf = (/** @type {Job} */ one) => ('file' in one ? one.file : undefined);
     return (await scripts.whole()).closed(await withTexturesListed(outcome, settled),
       { isCarded: job.kind === 'remeshFile' || job.kind === 'repairFile',
-        packed: fileOf(job), opened: fileOf(settled), compress: compressionOf(job),
+        packed: fileOf(job), opened: fileOf(settled), compress,
         units: 'options' in job ? job.options.units : undefined });
   }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Whether new textures serve a glTF file better than its own: only then does a preset bake them.
 
-import { openContainer } from '../codecs/gltf_container.js';
-
 /** How a material is drawn: materials of one kind can share a set of maps.
  * @param {{ alphaMode?: string, doubleSided?: boolean }} material */
 const kindOf = ({ alphaMode = 'OPAQUE', doubleSided = false }) => `${alphaMode} ${doubleSided}`;
@@ -16,16 +14,23 @@ const trianglesOf = ({ meshes = [], accessors = [] }) => meshes
   .reduce((/** @type {number} */ sum, /** @type {any} */ { indices, attributes }) =>
     sum + accessors[indices ?? attributes.POSITION].count / 3, 0);
 
+/** Whether a texture is there only as KTX2, which cannot be baked from.
+ * @param {{ source?: number, extensions?: any }} texture */
+const isKtxOnly = ({ source, extensions = {} }) => source === undefined
+  && extensions.KHR_texture_basisu !== undefined && extensions.EXT_texture_webp === undefined;
+
 /**
- * Several materials become one. Triangles that all stay keep their own texture coordinates, and so
- * do cards whose alpha cuts them out: many leaves share the texels of one.
- * @param {Uint8Array} bytes of a GLB or glTF
+ * Whether the preset `asset` bakes new textures: several materials become one. Triangles that all
+ * stay keep their own texture coordinates, and so do cards whose alpha cuts them out: many leaves
+ * share the texels of one. So does what has textures in KTX2 only.
+ * @param {any} tree of a glTF file, its JSON
  * @param {number} faces the budget; 0: there is none
+ * @returns {boolean}
  */
-export function isWorthBaking(bytes, faces) {
+export function isWorthBaking(tree, faces) {
   try {
-    const tree = JSON.parse(openContainer(bytes).text);
-    const materials = tree.materials ?? [];
+    const { materials = [], textures = [] } = tree;
+    if (textures.some(isKtxOnly)) return false;
     if (new Set(materials.map(kindOf)).size < materials.length) return true;
     if (materials.some((/** @type {any} */ { alphaMode }) => alphaMode === 'MASK')) return false;
     return faces < trianglesOf(tree);
