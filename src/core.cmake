@@ -30,6 +30,7 @@ set(fast
   src/remesh/operators/working_mesh.cpp
   src/remesh/steps/adapt.cpp
   src/remesh/steps/delaunay.cpp
+  src/remesh/steps/local_search.cpp
   src/remesh/steps/polish.cpp
   src/remesh/steps/relax.cpp
   src/remesh/steps/sweeps.cpp

@@ -202,6 +202,7 @@ add_executable(unit_tests
   tests/unit/remesh/steps/apart_test.cpp
   tests/unit/remesh/steps/boundaries_test.cpp
   tests/unit/remesh/steps/delaunay_test.cpp
+  tests/unit/remesh/steps/local_search_test.cpp
   tests/unit/remesh/steps/polish_test.cpp
   tests/unit/remesh/steps/relax_test.cpp
   tests/unit/remesh/steps/subdivide_test.cpp

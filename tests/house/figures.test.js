@@ -7,7 +7,7 @@ import { test } from 'node:test';
 
 import { constantsIn, withConstant } from '../support/constants.js';
 import { cppFunctions } from '../support/cpp_functions.js';
-import { engineList, engines, sourceOf } from '../support/engines.js';
+import { engineList, engines, headerOf } from '../support/engines.js';
 import {
   filesWithSizes, folderSizes, jsFunctions, limits, shareOfLong,
 } from '../support/figures.js';
@@ -108,7 +108,7 @@ test(`a function has at most ${limits.parameters} parameters`, () => {
 
 test('src/README.md names the engines of a kind, and each is there', () => {
   assert.ok(readText('src/README.md').includes(engineList()), 'npm run figures prints the list');
-  const missing = engines.flatMap((kind) => kind.files).map(sourceOf)
+  const missing = engines.flatMap((kind) => kind.files).map(headerOf)
     .filter((file) => !existsSync(join(root, file)));
   assert.deepEqual(missing, []);
 });

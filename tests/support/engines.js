@@ -14,8 +14,7 @@ export const engines = [
   { kind: 'edge collapse', before: 7, aim: 2, files: ['simplify/simplify', 'simplify/thin_out',
     'remesh/ground/decimate', 'remesh/steps/adapt', 'remesh/steps/coarsen', 'remesh/schemes/rounds',
     'remesh/quads/shape/collapse', 'remesh/conforming/thinning', 'repair/solid/clean_up'] },
-  { kind: 'local search around a bad face', before: 5, aim: 1, files: ['remesh/steps/polish',
-    'remesh/accuracy/needles', 'remesh/accuracy/uncross', 'remesh/accuracy/star_search',
+  { kind: 'local search around a bad face', before: 5, aim: 1, files: ['remesh/steps/local_search',
     'remesh/accuracy/lower_hausdorff', 'remesh/quads/shape/rewiring'] },
   { kind: 'sampler of distances', before: 10, aim: 3, files: ['measure/hausdorff',
     'remesh/schemes/follow', 'remesh/accuracy/places', 'remesh/accuracy/two_sided_distance',
@@ -28,8 +27,8 @@ export const engines = [
   { kind: 'table that chooses a mesh', before: 7, aim: 1, files: ['remesh/schemes/chooser'] },
 ];
 
-/** The sources of an engine. @param {string} file without its ending */
-export const sourceOf = (file) => `src/${file}.cpp`;
+/** The header of an engine. @param {string} file without its ending */
+export const headerOf = (file) => `src/${file}.h`;
 
 /** The engines as src/README.md lists them. */
 export const engineList = () => ['| engines | at first | today | aim | where |',

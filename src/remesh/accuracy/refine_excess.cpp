@@ -29,17 +29,13 @@ class Touched {
   FaceData<char> touched_;
 };
 
-double length(const WorkingMesh& mesh, Halfedge h) {
-  return (mesh.position(mesh.mesh().tip(h)) - mesh.position(mesh.mesh().origin(h))).norm();
-}
-
 // The longest of the sides that may be split.
 Halfedge longestSide(const WorkingMesh& mesh, Face f) {
   Halfedge longest;
   for (int i = 0; i < 3; ++i) {
     const Halfedge h = HalfedgeMesh::halfedge(f, i);
     if (mesh.isKept(h)) continue;
-    if (!longest || length(mesh, h) > length(mesh, longest)) longest = h;
+    if (!longest || mesh.edgeLength(h) > mesh.edgeLength(longest)) longest = h;
   }
   return longest;
 }

@@ -2,79 +2,44 @@
 #include "remesh/accuracy/uncross.h"
 
 #include <algorithm>
+#include <array>
+#include <numbers>
 #include <vector>
 
 #include "base/patience.h"
 #include "remesh/gate/angles.h"
+#include "remesh/steps/local_search.h"
 
 namespace remesher {
 
 namespace {
 
-// The proposal that leaves the fewest intersecting pairs; among equals, the one with the widest
-// smallest angle.
-class FewestPairs {
- public:
-  explicit FewestPairs(const Run& run) : rule_(lenient(run)) { rule_.guard = nullptr; }
+// How many intersecting pairs fewer the proposal at hand leaves, and less than one more the wider
+// its smallest angle. rule: without the guard, which is asked separately.
+double pairsMended(const Run& run, const FidelityRule& rule, double least) {
+  const LocalChange& change = run.scratch.change;
+  const auto fewer = -double(run.asked.rule.guard->growth(change));
+  if (fewer <= 0 || fewer + 1 <= least) return 0;
+  const double gain = fewer + smallestComingAngle(run.mesh, change) / std::numbers::pi;
+  return gain > least && judge(run.mesh, change, rule) == Verdict::Accepted ? gain : 0;
+}
 
-  void offer(const Run& run) {
-    const std::ptrdiff_t growth = run.asked.rule.guard->growth(run.scratch.change);
-    if (growth >= 0 || growth > growth_) return;
-    const double angle = smallestComingAngle(run.mesh, run.scratch.change);
-    if (growth == growth_ && angle <= angle_) return;
-    if (judge(run.mesh, run.scratch.change, rule_) != Verdict::Accepted) return;
-    growth_ = growth, angle_ = angle, change_ = run.scratch.change;
-  }
-
-  bool carryOut(Run& run) const {
-    if (growth_ >= 0) return false;
-    run.scratch.change = change_;
-    remesher::carryOut(run, change_);
-    return true;
-  }
-
- private:
-  FidelityRule rule_;  // without the guard, which is asked separately
-  LocalChange change_ = {};
-  std::ptrdiff_t growth_ = 0;
-  double angle_ = 0;
-};
-
-// Offers to put v back on the surface, and to move it towards the middles of the triangles around.
-void offerMoves(Run& run, Vertex v, FewestPairs& best) {
-  const HalfedgeMesh& mesh = run.mesh.mesh();
+// Offers to put v back on the surface, and to move it between its neighbours.
+void offerMoves(Run& run, Vertex v, LocalSearch& search) {
   if (run.mesh.kind(v) != VertexKind::Interior) return;
   proposePlacement(run.mesh, v, run.mesh.onSurface(run.mesh.at(v)), run.scratch.change);
-  best.offer(run);
-  std::vector<Halfedge> around;
-  mesh.forEachOutgoing(v, [&](Halfedge h) { around.push_back(h); });
-  for (const Halfedge h : around)
-    for (const double step : {0.15, 0.3, 0.6})
-      if (proposeRelocation(run.mesh, run.projector, {h, {1 - step, step / 2, step / 2}},
-                            run.scratch.change))
-        best.offer(run);
-}
-
-void offerAtEdge(Run& run, Halfedge h, FewestPairs& best) {
-  if (proposeFlip(run.mesh, h, run.scratch.change)) best.offer(run);
-  if (proposeSplit(run.mesh, run.projector, h, run.scratch.change)) best.offer(run);
-  for (const Halfedge way : {h, run.mesh.mesh().twin(h)}) {
-    if (!way) continue;
-    if (proposeCollapseInto(run.mesh, way, run.scratch.change)) best.offer(run);
-    if (proposeCollapse(run.mesh, run.projector, way, run.scratch.change)) best.offer(run);
-  }
-}
-
-double lengthOf(const Run& run, Halfedge h) {
-  return (run.mesh.position(run.mesh.mesh().tip(h)) - run.mesh.position(run.mesh.mesh().origin(h)))
-      .norm();
+  search.offer();
+  for (const double step : {0.15, 0.3, 0.6}) search.offerStepsBetween(v, step);
 }
 
 bool mendCrossed(Run& run, Face f) {
-  FewestPairs best(run);
-  for (int k = 0; k < 3; ++k) offerAtEdge(run, HalfedgeMesh::halfedge(f, k), best);
-  for (const Vertex v : run.mesh.mesh().vertices(f)) offerMoves(run, v, best);
-  return best.carryOut(run);
+  FidelityRule rule = lenient(run);
+  rule.guard = nullptr;
+  LocalSearch search(run, [&](double least) { return pairsMended(run, rule, least); });
+  search.offerAtEdges(
+      f, {EdgeMove::Flip, EdgeMove::Split, EdgeMove::CollapseInto, EdgeMove::Collapse});
+  for (const Vertex v : run.mesh.mesh().vertices(f)) offerMoves(run, v, search);
+  return search.carryOut();
 }
 
 // Halves a triangle for which nothing helps at once: a finer mesh is nearer to the original, which
@@ -83,8 +48,9 @@ bool mendCrossed(Run& run, Face f) {
 bool halve(Run& run, Face f) {
   std::array<Halfedge, 3> sides = {HalfedgeMesh::halfedge(f, 0), HalfedgeMesh::halfedge(f, 1),
                                    HalfedgeMesh::halfedge(f, 2)};
-  std::stable_sort(sides.begin(), sides.end(),
-                   [&](Halfedge a, Halfedge b) { return lengthOf(run, a) > lengthOf(run, b); });
+  std::stable_sort(sides.begin(), sides.end(), [&](Halfedge a, Halfedge b) {
+    return run.mesh.edgeLength(a) > run.mesh.edgeLength(b);
+  });
   for (const Halfedge side : sides) {
     if (!proposeSplit(run.mesh, run.projector, side, run.scratch.change)) continue;
     if (flattens(run.mesh, run.scratch.change, run.asked.rule.grain)) continue;
@@ -130,10 +96,14 @@ std::size_t uncross(Run& run, std::vector<Face> crossed) {
   while (!crossed.empty() && crossed.size() <= budget && prospect.isGood(double(crossed.size()))) {
     budget -= crossed.size();
     std::vector<Face> suspects = crossed;
-    for (const Face f : crossed)
-      if (run.mesh.mesh().isAlive(f) && !run.asked.rule.guard->metBy(f).empty() &&
-          (mendCrossed(run, f) || halve(run, f)))
-        addChanged(run, suspects);
+    const auto isCrossed = [&](Face f) {
+      return run.mesh.mesh().isAlive(f) && !run.asked.rule.guard->metBy(f).empty();
+    };
+    mendEach(crossed, 1, isCrossed, [&](Face f) {
+      const bool isMended = mendCrossed(run, f) || halve(run, f);
+      if (isMended) addChanged(run, suspects);
+      return isMended;
+    });
     crossed = stillCrossed(run, std::move(suspects));
   }
   return crossed.size();

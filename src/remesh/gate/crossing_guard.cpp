@@ -23,7 +23,7 @@ double meanEdge(const WorkingMesh& mesh) {
   for (Index i = 0; i < m.halfedgeCapacity(); ++i) {
     const Halfedge h(i);
     if (!m.isEdge(h)) continue;
-    sum += (mesh.position(m.tip(h)) - mesh.position(m.origin(h))).norm();
+    sum += mesh.edgeLength(h);
     ++count;
   }
   return sum > 0 ? sum / double(count) : 1;

@@ -53,6 +53,9 @@ class WorkingMesh {
   // The sum of the area vectors of the triangles around v, and the mean length of its edges.
   Vec3 areaVectorAround(Vertex v) const;
   double meanSpoke(Vertex v) const;
+  double edgeLength(Halfedge h) const {
+    return (position(mesh_.tip(h)) - position(mesh_.origin(h))).norm();
+  }
   VertexKind kind(Vertex v) const { return kind_[v]; }
   const SurfacePoint& at(Vertex v) const { return at_[v]; }
   const CurvePoint& on(Vertex v) const { return on_[v]; }

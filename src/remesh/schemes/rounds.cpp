@@ -29,9 +29,7 @@ constexpr double kMostGraded = 4;      // of the vertices asked for, or present:
 
 // The length of an edge, in units of its target edge length if sizes differ.
 double length(const Run& run, Halfedge h) {
-  if (!run.sizes.isEven()) return relativeLength(run, h);
-  const HalfedgeMesh& m = run.mesh.mesh();
-  return (run.mesh.position(m.tip(h)) - run.mesh.position(m.origin(h))).norm();
+  return run.sizes.isEven() ? run.mesh.edgeLength(h) : relativeLength(run, h);
 }
 
 bool isLongest(const Run& run, Halfedge side) {

@@ -5,15 +5,16 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "base/fires.h"
 #include "geometry/pattern_search.h"
 #include "geometry/polar_map.h"
 #include "geometry/triangle.h"
-#include "mesh/hubs.h"
 #include "remesh/gate/angles.h"
 #include "remesh/operators/shift.h"
 #include "remesh/steps/adapt.h"
+#include "remesh/steps/local_search.h"
 #include "remesh/steps/relax.h"
 
 namespace remesher {
@@ -33,33 +34,22 @@ constexpr double kByProjecting = radians(1);  // angles seldom grow by more
 // wall's, and larger steps would cut across its rims.
 constexpr double kMostBesideCurves = 0.25;
 
-// The best proposal seen so far, by the worst angle it leaves.
-struct Best {
+// What a change must keep: the rule, and the largest shift of the surface in model units.
+struct Limits {
   FidelityRule rule;
-  double shift;  // model units
-  LocalChange change = {};
-  double gain = 0;
-
-  void offer(const Run& run) {
-    offer(run, smallestComingAngle(run.mesh, run.scratch.change, run.asked.rule.grain, gain));
-  }
-
-  // Offers a proposal that leaves `worst`. Never inlined: two places call it, seldom.
-  [[gnu::noinline]] void offer(const Run& run, double worst) {
-    if (worst <= gain) return;
-    const double better =
-        worst - smallestGoingAngle(run.mesh, run.scratch.change, run.asked.rule.grain);
-    if (better <= gain) return;
-    if (judge(run.mesh, run.scratch.change, rule) != Verdict::Accepted) return;
-    if (std::isfinite(shift) && shiftsBeyond(shift, run.mesh, run.scratch.change)) return;
-    gain = better;
-    change = run.scratch.change;
-  }
+  double shift;
 };
 
-void offerFlips(Run& run, Face f, Best& best) {
-  for (int i = 0; i < 3; ++i)
-    if (proposeFlip(run.mesh, HalfedgeMesh::halfedge(f, i), run.scratch.change)) best.offer(run);
+// By how much the proposal at hand enlarges the worst angle.
+double wideningOf(const Run& run, const Limits& limits, double least) {
+  const LocalChange& change = run.scratch.change;
+  const Grain& grain = run.asked.rule.grain;
+  const double worst = smallestComingAngle(run.mesh, change, grain, least);
+  if (worst <= least) return 0;
+  const double better = worst - smallestGoingAngle(run.mesh, change, grain);
+  if (better <= least || judge(run.mesh, change, limits.rule) != Verdict::Accepted) return 0;
+  const bool mayShift = std::isinf(limits.shift);
+  return mayShift || !shiftsBeyond(limits.shift, run.mesh, change) ? better : 0;
 }
 
 // Where a vertex may go: to projections of its polar map's plane onto the original or, where that
@@ -90,7 +80,7 @@ bool proposeMove(Run& run, const PolarMap& map, const Vec2& p, const Wanted& wan
 }
 
 // Searches around v for a place where the worst angle of its star is largest.
-void offerMove(Run& run, Vertex v, Ground ground, Best& best) {
+void offerMove(Run& run, Vertex v, Ground ground, LocalSearch& search) {
   if (run.mesh.kind(v) != VertexKind::Interior) return;
   if (run.mesh.isPinned(v) && ground == Ground::Original) return;
   PolarMap map;
@@ -110,7 +100,7 @@ void offerMove(Run& run, Vertex v, Ground ground, Best& best) {
       angle = worst;
       wanted.angle = AngleLimit(std::max(0.0, angle - kByProjecting));
       at = to;
-      best.offer(run, worst);
+      search.offer();
     }
     return false;  // as long steps once more cost a tenth of all time, and gain nothing
   });
@@ -136,7 +126,7 @@ bool canBeRolledOut(const WorkingMesh& mesh, Vertex v) {
 
 // Offers places up and down the mean normal of the star: around a sharp tip no place on the surface
 // is better, but a place a little off it is.
-void offerLifts(Run& run, Vertex v, Best& best) {
+void offerLifts(Run& run, Vertex v, LocalSearch& search) {
   if (run.mesh.kind(v) != VertexKind::Interior || canBeRolledOut(run.mesh, v)) return;
   if (run.mesh.surface().isFlatAt(run.mesh.at(v))) return;
   const Vec3& at = run.mesh.position(v);
@@ -150,28 +140,10 @@ void offerLifts(Run& run, Vertex v, Best& best) {
       place.position = at + way * kSmallShift * spoke * normal.normalized();
       if ((place.position - ground).norm() > kSmallShift * spoke) continue;
       proposePlacement(run.mesh, v, place, run.scratch.change);
-      best.offer(run);
+      search.offer();
     }
     return false;  // all lifts are from one place
   });
-}
-
-void offerCollapses(Run& run, Face f, const Hubs& hubs, Best& best) {
-  const HalfedgeMesh& mesh = run.mesh.mesh();
-  for (int i = 0; i < 3; ++i) {
-    const Halfedge h = HalfedgeMesh::halfedge(f, i);
-    if (hubs.contains(mesh.origin(h)) || hubs.contains(mesh.tip(h))) continue;
-    for (const Halfedge direction : {h, mesh.twin(h)})
-      if (direction && proposeCollapse(run.mesh, run.projector, direction, run.scratch.change))
-        best.offer(run);
-  }
-}
-
-void offerSplits(Run& run, Face f, Best& best) {
-  for (int i = 0; i < 3; ++i) {
-    const Halfedge h = HalfedgeMesh::halfedge(f, i);
-    if (proposeSplit(run.mesh, run.projector, h, run.scratch.change)) best.offer(run);
-  }
 }
 
 // The vertices whose search was in vain, until their stars change: adjacent triangles share
@@ -200,8 +172,7 @@ class InVain {
 enum class Means { KeepCount, ChangeCount, LeaveSurface };
 
 struct Attempt {
-  // No place gives a hub's triangles good angles, and each try costs a look at all of them.
-  const Hubs& hubs;
+  const Hubs& hubs;  // their places are not searched either
   Means means;
   double shift;    // see PolishGoal
   InVain& inVain;  // of the same means
@@ -223,29 +194,30 @@ bool mend(Run& run, Face f, const Attempt& attempt) {
       std::any_of(corners.begin(), corners.end(), [&](Vertex v) { return isOnCurve(run.mesh, v); });
   const double shift = isBesideCurve ? std::min(attempt.shift, kMostBesideCurves) : attempt.shift;
   const double size = run.asked.scale * run.sizes.at(run.mesh.at(corners[0]));
-  Best best{means == Means::KeepCount ? run.asked.rule : lenient(run), shift * size};
-  offerFlips(run, f, best);
+  const Limits limits{means == Means::KeepCount ? run.asked.rule : lenient(run), shift * size};
+  LocalSearch search(
+      run, [&](double least) { return wideningOf(run, limits, least); }, &attempt.hubs);
+  search.offerAtEdges(f, {EdgeMove::Flip});
   const Ground ground = means == Means::LeaveSurface ? Ground::Mesh : Ground::Original;
   for (const Vertex v : corners) {
-    const double before = best.gain;
+    const double before = search.best().gain;
     if (attempt.hubs.contains(v) || attempt.inVain.knows(v, before)) continue;
-    offerMove(run, v, ground, best);
-    if (best.gain == before && !std::isfinite(shift)) attempt.inVain.note(v, before);
+    offerMove(run, v, ground, search);
+    if (search.best().gain == before && !std::isfinite(shift)) attempt.inVain.note(v, before);
   }
   // Beside a curve a lift off the surface would show, and be in vain. Without patches onto the
   // original nothing says how far off it a vertex already is.
   const bool mayLift =
       means == Means::LeaveSurface && !isBesideCurve && run.projector.mode() == Projection::Patches;
   for (const Vertex v : corners)
-    if (mayLift && !attempt.hubs.contains(v)) offerLifts(run, v, best);
+    if (mayLift && !attempt.hubs.contains(v)) offerLifts(run, v, search);
   if (means == Means::ChangeCount) {
-    offerCollapses(run, f, attempt.hubs, best);
-    offerSplits(run, f, best);
+    search.offerAtEdges(f, {EdgeMove::Collapse});
+    search.offerAtEdges(f, {EdgeMove::Split});
   }
-  if (best.gain <= 0) return false;
-  attempt.inVain.forget(run.mesh.mesh(), best.change);
-  carryOut(run, best.change);
-  return true;
+  if (search.best().gain <= 0) return false;
+  attempt.inVain.forget(run.mesh.mesh(), search.best().change);
+  return search.carryOut();
 }
 
 bool isBad(const Run& run, Face f, const AngleLimit& limit) {
@@ -253,18 +225,11 @@ bool isBad(const Run& run, Face f, const AngleLimit& limit) {
 }
 
 std::vector<Face> badTriangles(const Run& run, double angle) {
-  const HalfedgeMesh& mesh = run.mesh.mesh();
   const AngleLimit limit(angle);
-  std::vector<std::pair<double, Face>> bad;
-  for (Index i = 0; i < mesh.faceCapacity(); ++i) {
-    const Face f(i);
-    if (!isBad(run, f, limit)) continue;
-    bad.emplace_back(smallestAngle(run.mesh, f, run.asked.rule.grain), f);
-  }
-  std::sort(bad.begin(), bad.end());
-  std::vector<Face> faces;
-  for (const auto& [own, f] : bad) faces.push_back(f);
-  return faces;
+  return worstFirst(run.mesh.mesh(), [&](Face f) {
+    return isBad(run, f, limit) ? std::optional(-smallestAngle(run.mesh, f, run.asked.rule.grain))
+                                : std::nullopt;
+  });
 }
 
 // Gentle and drastic means take turns. In the last round gentle ones mend what the drastic left,
@@ -328,11 +293,10 @@ void polish(Run& run, const PolishGoal& goal, const Progress& progress) {
     InVain inVain;
     const Attempt attempt{hubs, meansOf(round, rounds), goal.shift, inVain};
     const int tries = triesOf(run, attempt.means);
-    for (const Face f : bad)
-      for (int i = 0; i < tries && isBad(run, f, limit) && mayTry(f); ++i) {
-        if (!mend(run, f, attempt)) break;
-        inVainSince = 0;
-      }
+    const bool isAny = mendEach(
+        bad, tries, [&](Face f) { return isBad(run, f, limit) && mayTry(f); },
+        [&](Face f) { return mend(run, f, attempt); });
+    if (isAny) inVainSince = 0;
     if (run.mesh.mesh().vertexCount() == vertices) continue;
     matchCount(run, vertices);
     relax(run, 2);

@@ -4,17 +4,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
+#include <optional>
 #include <vector>
 
 #include "base/fires.h"
 #include "geometry/pattern_search.h"
 #include "geometry/triangle.h"
-#include "mesh/hubs.h"
 #include "remesh/gate/angles.h"
 #include "remesh/operators/shift.h"
 #include "remesh/operators/smoothing.h"
 #include "remesh/steps/delaunay.h"
+#include "remesh/steps/local_search.h"
 #include "remesh/steps/sweeps.h"
 
 namespace remesher {
@@ -54,11 +54,6 @@ double costOf(const Triangle& t, const WantedLimits& wanted) {
   return angle < least ? cost + (isWanted ? 1 : kUnasked) * (2 - angle / least) : cost;
 }
 
-double edgeLengthOf(const Run& run, Halfedge h) {
-  const HalfedgeMesh& mesh = run.mesh.mesh();
-  return (run.mesh.position(mesh.tip(h)) - run.mesh.position(mesh.origin(h))).norm();
-}
-
 double costOf(const Run& run, Face f, const WantedLimits& wanted) {
   return costOf(run.mesh.corners(f), wanted);
 }
@@ -93,53 +88,26 @@ bool makesTooLong(const Run& run, const LocalChange& change, const WantedLimits&
   });
 }
 
-// Of the changes offered the one that lowers the cost most.
-class CheapestChange {
- public:
-  CheapestChange(const Run& run, const WantedLimits& wanted, double shift)
-      : wanted_(wanted), rule_(lenient(run)), shift_(shift) {}
+// By how much the proposal at hand lowers the cost. shift: the largest one, in model units.
+double savingOf(const Run& run, const WantedLimits& wanted, double shift, double least) {
+  const LocalChange& change = run.scratch.change;
+  const double gain = costGoing(run, change, wanted) - costComing(run, change, wanted);
+  if (gain <= least + kSameCost) return 0;
+  if (change.operation == Operation::Collapse && makesTooLong(run, change, wanted)) return 0;
+  if (judge(run.mesh, change, lenient(run)) != Verdict::Accepted) return 0;
+  return shiftsBeyond(shift, run.mesh, change) ? 0 : gain;
+}
 
-  // Returns whether the proposal at hand is the best so far.
-  bool offer(const Run& run) {
-    const LocalChange& change = run.scratch.change;
-    const double gain = costGoing(run, change, wanted_) - costComing(run, change, wanted_);
-    if (gain <= gain_ + kSameCost) return false;
-    if (change.operation == Operation::Collapse && makesTooLong(run, change, wanted_)) return false;
-    if (judge(run.mesh, change, rule_) != Verdict::Accepted) return false;
-    if (shiftsBeyond(shift_, run.mesh, change)) return false;
-    gain_ = gain, change_ = change;
-    return true;
-  }
-
-  bool carryOut(Run& run) const {
-    if (gain_ <= 0) return false;
-    remesher::carryOut(run, change_);
-    return true;
-  }
-
- private:
-  const WantedLimits& wanted_;
-  FidelityRule rule_;
-  double shift_;  // model units
-  double gain_ = 0;
-  LocalChange change_ = {};
-};
-
-// Offers to move v a step towards each neighbour, and between each two, on the surface.
-void offerMoves(Run& run, Vertex v, CheapestChange& cheapest) {
-  std::vector<Halfedge> around;
-  run.mesh.mesh().forEachOutgoing(v, [&](Halfedge h) { around.push_back(h); });
+// Offers to move v over the surface.
+void offerMoves(Vertex v, LocalSearch& search) {
   searchPattern([&](double step) {
-    for (const Halfedge h : around)
-      for (const Vec3& weights : {Vec3(1 - step, step, 0), Vec3(1 - step, step / 2, step / 2)})
-        if (proposeRelocation(run.mesh, run.projector, {h, weights}, run.scratch.change))
-          cheapest.offer(run);
+    search.offerSteps(v, step);
     return false;
   });
 }
 
 // Offers to slide v along its curve, between its neighbours there.
-void offerSlides(Run& run, Vertex v, CheapestChange& cheapest) {
+void offerSlides(Run& run, Vertex v, LocalSearch& search) {
   const auto [before, after] = curveNeighbors(run.mesh, v);
   const CurvePoint on = run.mesh.on(v);
   const double from = run.mesh.onChain(before, on.chain).arc;
@@ -148,7 +116,7 @@ void offerSlides(Run& run, Vertex v, CheapestChange& cheapest) {
     for (const double end : {from, to}) {
       const double arc = on.arc + step * (end - on.arc);
       proposePlacement(run.mesh, v, run.mesh.onCurve({on.chain, arc}), run.scratch.change);
-      cheapest.offer(run);
+      search.offer();
     }
     return false;
   });
@@ -159,45 +127,34 @@ bool maySlide(const Run& run, Vertex v) {
   return !run.mesh.surface().curves().chains()[run.mesh.on(v).chain].kept;
 }
 
-void offerAtCorner(Run& run, Vertex v, CheapestChange& cheapest) {
+void offerAtCorner(Run& run, Vertex v, LocalSearch& search) {
   if (run.mesh.kind(v) == VertexKind::Interior && !run.mesh.isPinned(v))
-    offerMoves(run, v, cheapest);
+    offerMoves(v, search);
   else if (maySlide(run, v))
-    offerSlides(run, v, cheapest);
-}
-
-void offerAtEdge(Run& run, Halfedge h, Number number, CheapestChange& cheapest) {
-  LocalChange& change = run.scratch.change;
-  if (proposeFlip(run.mesh, h, change)) cheapest.offer(run);
-  if (number == Number::Kept) return;
-  if (proposeSplit(run.mesh, run.projector, h, change)) cheapest.offer(run);
-  for (const Halfedge way : {h, run.mesh.mesh().twin(h)}) {
-    if (!way) continue;
-    if (proposeCollapse(run.mesh, run.projector, way, change)) cheapest.offer(run);
-    if (proposeCollapseInto(run.mesh, way, change)) cheapest.offer(run);
-  }
+    offerSlides(run, v, search);
 }
 
 bool changeAround(Run& run, Face f, const WantedLimits& wanted, Number number, const Hubs& hubs) {
   const auto corners = run.mesh.mesh().vertices(f);
   const double size = run.asked.scale * run.sizes.at(run.mesh.at(corners[0]));
-  CheapestChange cheapest(run, wanted, kMostMoved * size);
-  for (int k = 0; k < 3; ++k) {
-    const Halfedge h = HalfedgeMesh::halfedge(f, k);
-    if (hubs.contains(run.mesh.mesh().origin(h)) || hubs.contains(run.mesh.mesh().tip(h))) continue;
-    offerAtEdge(run, h, number, cheapest);
-  }
+  LocalSearch search(
+      run, [&](double least) { return savingOf(run, wanted, kMostMoved * size, least); }, &hubs);
+  if (number == Number::Kept)
+    search.offerAtEdges(f, {EdgeMove::Flip});
+  else
+    search.offerAtEdges(
+        f, {EdgeMove::Flip, EdgeMove::Split, EdgeMove::Collapse, EdgeMove::CollapseInto});
   for (const Vertex v : corners)
-    if (!hubs.contains(v)) offerAtCorner(run, v, cheapest);
-  return cheapest.carryOut(run);
+    if (!hubs.contains(v)) offerAtCorner(run, v, search);
+  return search.carryOut();
 }
 
 bool isLongestAround(const Run& run, Halfedge h) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
-  const double length = edgeLengthOf(run, h);
+  const double length = run.mesh.edgeLength(h);
   for (const Halfedge side : {h, mesh.twin(h)})
-    if (side &&
-        std::max(edgeLengthOf(run, mesh.next(side)), edgeLengthOf(run, mesh.prev(side))) > length)
+    if (side && std::max(run.mesh.edgeLength(mesh.next(side)),
+                         run.mesh.edgeLength(mesh.prev(side))) > length)
       return false;
   return true;
 }
@@ -211,7 +168,7 @@ std::size_t divideLong(Run& run, const WantedLimits& wanted) {
   for (Index i = 0; i < present; ++i) {
     const Halfedge h(i);
     if (!mesh.isEdge(h)) continue;
-    const double length = edgeLengthOf(run, h);
+    const double length = run.mesh.edgeLength(h);
     if (length <= wanted.longest || length < 2 * wanted.shortest) continue;
     if (!isLongestAround(run, h)) continue;
     if (proposeSplit(run.mesh, run.projector, h, run.scratch.change))
@@ -233,17 +190,10 @@ void divideAllLong(Run& run, const WantedLimits& wanted) {
 
 // The triangles that are not as wanted, the worst first.
 std::vector<Face> notAsWanted(const Run& run, const WantedLimits& wanted) {
-  const HalfedgeMesh& mesh = run.mesh.mesh();
-  std::vector<std::pair<double, Face>> found;
-  for (Face f(0); f.index < mesh.faceCapacity(); ++f.index) {
-    if (!mesh.isAlive(f)) continue;
+  return worstFirst(run.mesh.mesh(), [&](Face f) {
     const double cost = costOf(run, f, wanted);
-    if (cost > 0) found.emplace_back(-cost, f);
-  }
-  std::sort(found.begin(), found.end());
-  std::vector<Face> faces;
-  for (const auto& [cost, f] : found) faces.push_back(f);
-  return faces;
+    return cost > 0 ? std::optional(cost) : std::nullopt;
+  });
 }
 
 // Whether so many triangles are not as wanted that no single changes help.
@@ -275,22 +225,16 @@ void keepWanted(Run& run, const WantedLimits& wanted, Number number) {
   if (number != Number::Kept) divideAllLong(run, wanted);
   const Hubs hubs(run.mesh.mesh());
   std::size_t looks = kLooksPerTriangle * run.mesh.mesh().faceCount();
-  for (int round = 0; round < kRoundsForWanted; ++round) {
-    bool isChanged = false;
-    for (const Face f : notAsWanted(run, wanted)) {
-      for (int i = 0; i < kChangesInARow; ++i) {
-        if (!run.mesh.mesh().isAlive(f) || costOf(run, f, wanted) == 0) break;
-        if (areProofsSpent(run)) return;
-        if (looks-- == 0) {
-          fires("wanted: most looks");
-          return;
-        }
-        if (!changeAround(run, f, wanted, number, hubs)) break;
-        isChanged = true;
-      }
-    }
-    if (!isChanged) return;
-  }
+  const auto mayMend = [&](Face f) {
+    if (!run.mesh.mesh().isAlive(f) || costOf(run, f, wanted) == 0) return false;
+    if (looks == 0 || areProofsSpent(run)) return false;
+    if (--looks == 0) fires("wanted: most looks");
+    return true;
+  };
+  for (int round = 0; round < kRoundsForWanted; ++round)
+    if (!mendEach(notAsWanted(run, wanted), kChangesInARow, mayMend,
+                  [&](Face f) { return changeAround(run, f, wanted, number, hubs); }))
+      return;
   fires("wanted: most rounds");
 }
 
@@ -304,7 +248,7 @@ Unmet unmetOf(const Run& run, const WantedLimits& wanted) {
   for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
     const Halfedge h(i);
     if (!mesh.isEdge(h)) continue;
-    const double length = edgeLengthOf(run, h);
+    const double length = run.mesh.edgeLength(h);
     if (length < wanted.shortest) count(unmet.shortEdges, isHeldByCurves(run, h));
     if (length > wanted.longest) count(unmet.longEdges, run.mesh.isKept(h));
   }

@@ -127,10 +127,6 @@ class CycleSearch {
     Halfedge by;
   };
 
-  double length(Halfedge h) const {
-    return (mesh_.position(mesh_.mesh().tip(h)) - mesh_.position(mesh_.mesh().origin(h))).norm();
-  }
-
   void searchFrom(Vertex start) {
     using Entry = std::pair<double, Index>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
@@ -145,7 +141,7 @@ class CycleSearch {
       mesh_.mesh().forEachOutgoing(v, [&](Halfedge h) {
         const Vertex w = mesh_.mesh().tip(h);
         if (mesh_.kind(w) != VertexKind::Interior) return;
-        const Reached now{distance + length(h), reached_[v].crossings ^ crossings_[h], h};
+        const Reached now{distance + mesh_.edgeLength(h), reached_[v].crossings ^ crossings_[h], h};
         Reached& known = reached_[w];
         const bool closes = known.distance < kInfinity && known.crossings != now.crossings;
         if (closes && known.distance + now.distance < most_) keep(h);
@@ -167,7 +163,7 @@ class CycleSearch {
   // The way to h's start, h, and back from its end.
   void keep(Halfedge h) {
     const HalfedgeMesh& m = mesh_.mesh();
-    most_ = reached_[m.origin(h)].distance + length(h) + reached_[m.tip(h)].distance;
+    most_ = reached_[m.origin(h)].distance + mesh_.edgeLength(h) + reached_[m.tip(h)].distance;
     best_ = wayTo(m.origin(h));
     std::reverse(best_.begin(), best_.end());
     best_.push_back(h);
@@ -185,8 +181,7 @@ class CycleSearch {
 
 double lengthOf(const WorkingMesh& mesh, const std::vector<Halfedge>& edges) {
   double sum = 0;
-  for (const Halfedge h : edges)
-    sum += (mesh.position(mesh.mesh().tip(h)) - mesh.position(mesh.mesh().origin(h))).norm();
+  for (const Halfedge h : edges) sum += mesh.edgeLength(h);
   return sum;
 }
 
