@@ -14,6 +14,7 @@ add_executable(unit_tests
   tests/unit/base/place_test.cpp
   tests/unit/boolean_test.cpp
   tests/unit/contact/common_faces_test.cpp
+  tests/unit/geometry/distance_sampler_test.cpp
   tests/unit/geometry/divided_edges_test.cpp
   tests/unit/geometry/extent_test.cpp
   tests/unit/geometry/fast_trigonometry_test.cpp

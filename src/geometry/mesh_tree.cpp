@@ -18,7 +18,7 @@ MeshTree::MeshTree(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions)
 }
 
 MeshTree::Nearest MeshTree::nearest(const Vec3& p, Face start) const {
-  const TriangleTree::Nearest nearest = start ? tree_.nearest(p, number_[start]) : tree_.nearest(p);
+  const TriangleTree::Nearest nearest = tree_.nearest(p, start ? number_[start] : kNone);
   return {faces_[nearest.triangle], std::sqrt(nearest.squaredDistance)};
 }
 

@@ -24,6 +24,9 @@ class MeshTree {
   // start: a face near p makes the search faster; may be none.
   Nearest nearest(const Vec3& p, Face start = {}) const;
 
+  // The triangles alone, in the order of their faces.
+  const TriangleTree& triangles() const { return tree_; }
+
   // Where the triangle was when the tree was built.
   Triangle corners(Face f) const { return tree_.corners(number_[f]); }
 

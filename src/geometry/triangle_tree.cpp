@@ -212,15 +212,9 @@ void TriangleTree::lookEverywhere(Query& query) const {
   }
 }
 
-TriangleTree::Nearest TriangleTree::nearest(const Vec3& p) const {
-  Query query = ask(p);
-  lookEverywhere(query);
-  return query.best;
-}
-
 TriangleTree::Nearest TriangleTree::nearest(const Vec3& p, Index start) const {
   Query query = ask(p);
-  lookAt(start, query);
+  if (start != kNone) lookAt(start, query);
   lookEverywhere(query);
   return query.best;
 }
@@ -229,7 +223,7 @@ TriangleTree::Nearest TriangleTree::nearestBeyond(double distance, const Vec3& p
                                                   Index start) const {
   Query query = ask(p);
   query.squaredEnough = distance * distance;
-  lookAt(start, query);
+  if (start != kNone) lookAt(start, query);
   if (query.best.squaredDistance > query.squaredEnough) lookEverywhere(query);
   return query.best;
 }

@@ -57,15 +57,13 @@ class TriangleTree {
   TriangleTree(std::span<const Vec3> positions, std::span<const Index> indices,
                Listed listed = Listed::Anyhow);
 
-  // The point of the triangles nearest to p; none when there are no triangles.
-  Nearest nearest(const Vec3& p) const;
-
-  // The same, faster when `start` is a triangle near p, such as the answer for a point close by.
-  // Returns `start` unless another triangle is nearer.
-  Nearest nearest(const Vec3& p, Index start) const;
+  // The point of the triangles nearest to p; none when there are no triangles. Faster when `start`
+  // is a triangle near p, such as the answer for a point close by: then the answer, unless another
+  // triangle is nearer.
+  Nearest nearest(const Vec3& p, Index start = kNone) const;
 
   // The first triangle found within `distance` of p; if there is none, the nearest.
-  Nearest nearestBeyond(double distance, const Vec3& p, Index start) const;
+  Nearest nearestBeyond(double distance, const Vec3& p, Index start = kNone) const;
 
   // Calls visit(triangle) for each triangle whose bounding box has a point in common with `box`.
   template <class Visit>

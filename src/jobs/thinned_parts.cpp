@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "base/error.h"
+#include "geometry/distance_sampler.h"
 #include "geometry/triangle.h"
-#include "geometry/triangle_tree.h"
 #include "jobs/inspected_parts.h"
 #include "jobs/parts/part_lengths.h"
 #include "jobs/parts/part_places.h"
@@ -228,16 +228,11 @@ FidelityReport ThinnedParts::measured(const SceneRun& run) const {
   if (samples_.empty() || !(input_.diagonal > 0)) return fidelity;
   const TriangleMesh& made = run.parts.front().mesh;
   const TriangleTree tree(made.positions, made.indices);
-  TriangleTree::Nearest last;
-  double largest = 0, sum = 0;
-  for (const Vec3& p : samples_) {
-    last = last.triangle == kNone ? tree.nearest(p) : tree.nearest(p, last.triangle);
-    largest = std::max(largest, last.squaredDistance);
-    sum += last.squaredDistance;
-  }
+  DistanceSampler sampler(tree);
+  for (const Vec3& p : samples_) sampler.add(p);
   const double percent = 100 * growthOf(firstPlace(run.parts.front())) / input_.diagonal;
-  fidelity.hausdorff = std::max(fidelity.hausdorff, percent * std::sqrt(largest));
-  fidelity.rms = std::max(fidelity.rms, percent * std::sqrt(sum / double(samples_.size())));
+  fidelity.hausdorff = std::max(fidelity.hausdorff, percent * sampler.farthest());
+  fidelity.rms = std::max(fidelity.rms, percent * sampler.rms());
   return fidelity;
 }
 

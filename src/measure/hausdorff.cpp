@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "geometry/distance_sampler.h"
 #include "geometry/triangle.h"
 #include "geometry/triangle_tree.h"
 #include "measure/distance_bound.h"
@@ -108,24 +108,6 @@ double pointsPerArea(const Triangles& triangles, const Spread& spread) {
   return total > 0 ? static_cast<double>(spread.points(triangles.size())) / total : 0;
 }
 
-// Points of the R2 sequence, which fill the unit square evenly for any number of points, folded
-// onto the triangle below the square's diagonal.
-class EvenPoints {
- public:
-  Vec3 next() {
-    u_ += kStepU, v_ += kStepV;
-    if (u_ >= 1) u_ -= 1;
-    if (v_ >= 1) v_ -= 1;
-    const double u = u_ + v_ > 1 ? 1 - u_ : u_, v = u_ + v_ > 1 ? 1 - v_ : v_;
-    return {1 - u - v, u, v};
-  }
-
- private:
-  // 1/p and 1/p² for the plastic number p = 1.3247…, the root of p³ = p + 1.
-  static constexpr double kStepU = 0.7548776662466927, kStepV = 0.5698402909980532;
-  double u_ = 0.5, v_ = 0.5;
-};
-
 Vec3 at(const Vec3& barycentric, const Triangle& t) {
   return barycentric[0] * t[0] + barycentric[1] * t[1] + barycentric[2] * t[2];
 }
@@ -137,6 +119,7 @@ class Measurement {
   Measurement(const Surface& from, const Surface& to, double diagonal)
       : from_(from),
         to_(to),
+        sampler_(to.tree),
         atVertices_(from.triangles.positions.size(), kUnknown),
         starts_(from.triangles.size(), 0),
         largest_(from.triangles.size(), 0),
@@ -146,13 +129,11 @@ class Measurement {
   Deviation run(Maximum maximum) {
     sample(maximum);
     search();
+    double squaredMaximum = sampler_.squaredFarthest();
     if (maximum == Maximum::Proven)
-      squaredMaximum_ = provenSquaredMaximum(
-          {from_.tree, to_.tree, starts_, kTolerance * diagonal_}, squaredMaximum_);
-    const double distance = std::sqrt(squaredMaximum_);
-    return {distance, sampleCount_ > 0
-                          ? std::sqrt(sumOfSquares_ / static_cast<double>(sampleCount_))
-                          : distance};
+      squaredMaximum = provenSquaredMaximum({from_.tree, to_.tree, starts_, kTolerance * diagonal_},
+                                            squaredMaximum);
+    return {std::sqrt(squaredMaximum), sampler_.rms()};
   }
 
  private:
@@ -174,21 +155,10 @@ class Measurement {
     return largest;
   }
 
-  double note(const TriangleTree::Nearest& nearest) {
-    last_ = nearest.triangle;
-    squaredMaximum_ = std::max(squaredMaximum_, nearest.squaredDistance);
-    return nearest.squaredDistance;
-  }
-
-  double look(const Vec3& p) {
-    return note(last_ == kNone ? to_.tree.nearest(p) : to_.tree.nearest(p, last_));
-  }
-
-  // The same if only the maximum counts: a distance below share × maximum may come out too large,
-  // but stays below that.
+  // The squared distance of a point of which only the maximum counts: below share × maximum it may
+  // come out too large, but stays below that.
   double lookBeyond(double share, const Vec3& p) {
-    if (last_ == kNone) return look(p);
-    return note(to_.tree.nearestBeyond(share * std::sqrt(squaredMaximum_), p, last_));
+    return sampler_.addBeyond(share * sampler_.farthest(), p);
   }
 
   void sample(Maximum maximum) {
@@ -204,14 +174,10 @@ class Measurement {
         if (isBorder_[std::size_t{3} * t + k])
           largest = std::max(largest, alongBorder(corners[k], corners[(k + 1) % 3]));
       }
-      for (due_ += areaOf(corners) * perArea; due_ >= 1; due_ -= 1) {
-        const double squaredDistance = look(at(points_.next(), corners));
-        largest = std::max(largest, squaredDistance);
-        sumOfSquares_ += squaredDistance;
-        ++sampleCount_;
-      }
+      for (due_ += areaOf(corners) * perArea; due_ >= 1; due_ -= 1)
+        largest = std::max(largest, sampler_.add(at(evenPoint(++points_), corners)));
       largest_[t] = static_cast<float>(largest);
-      starts_[t] = last_;
+      starts_[t] = sampler_.near();
     }
   }
 
@@ -219,7 +185,7 @@ class Measurement {
   // in a triangle where a large one was found. Searches a grid over each such triangle, then an
   // equally fine grid around the grid's largest distance.
   void search() {
-    const double worthIt = kFarBelow * kFarBelow * squaredMaximum_;
+    const double worthIt = kFarBelow * kFarBelow * sampler_.squaredFarthest();
     std::vector<Index> triangles;
     for (const Index t : from_.tree.order())
       if (largest_[t] >= worthIt) triangles.push_back(t);
@@ -253,18 +219,15 @@ class Measurement {
 
   const Surface& from_;
   const Surface& to_;
+  DistanceSampler sampler_;
   static constexpr float kUnknown = -1;
   std::vector<float> atVertices_;  // per vertex of `from`: the squared distance
   std::vector<Index> starts_;      // per triangle of `from`: a near one of `to`
   std::vector<float> largest_;     // per triangle of `from`: the largest squared distance sampled
   double diagonal_;
   const std::vector<char> isBorder_;
-  Index last_ = kNone;
-  double squaredMaximum_ = 0;
-  EvenPoints points_;
-  double due_ = 0;  // samples owed to the area passed
-  double sumOfSquares_ = 0;
-  std::size_t sampleCount_ = 0;
+  std::size_t points_ = 0;  // spread by area so far
+  double due_ = 0;          // samples owed to the area passed
 };
 
 // Measures from a few points, too far apart for one search of the surroundings to serve several,
@@ -272,27 +235,18 @@ class Measurement {
 // them. The surface `from` needs no tree.
 Deviation glimpse(const Triangles& from, const TriangleTree& to) {
   const double perArea = pointsPerArea(from, kGlimpsed);
-  EvenPoints points;
-  TriangleTree::Nearest last;
-  double due = 0, largest = 0, sum = 0, count = 0;
+  std::size_t points = 0;
+  DistanceSampler sampler(to);
+  double due = 0;
   for (Index t = 0; t < from.size(); ++t) {
     const Triangle corners = from[t];
-    for (due += areaOf(corners) * perArea; due >= 1; due -= 1) {
-      const Vec3 p = at(points.next(), corners);
-      last = last.triangle == kNone ? to.nearest(p) : to.nearest(p, last.triangle);
-      largest = std::max(largest, last.squaredDistance);
-      sum += last.squaredDistance;
-      ++count;
-    }
+    for (due += areaOf(corners) * perArea; due >= 1; due -= 1)
+      sampler.add(at(evenPoint(++points), corners));
   }
   const std::size_t most = kGlimpsed.points(from.size()) / 4;
-  for (const Index v : salientVertices(from.positions, from.indices, most)) {
-    const Vec3& p = from.positions[v];
-    last = last.triangle == kNone ? to.nearest(p)
-                                  : to.nearestBeyond(kBelow * std::sqrt(largest), p, last.triangle);
-    largest = std::max(largest, last.squaredDistance);
-  }
-  return {std::sqrt(largest), count > 0 ? std::sqrt(sum / count) : 0};
+  for (const Index v : salientVertices(from.positions, from.indices, most))
+    sampler.addBeyond(kBelow * sampler.farthest(), from.positions[v]);
+  return {sampler.farthest(), sampler.rms()};
 }
 
 double diagonalOf(const Box& box) { return (box.high - box.low).norm(); }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/distance_sampler.h"
 #include "geometry/triangle.h"
 
 namespace remesher {
@@ -57,10 +58,9 @@ std::vector<Guide> onSurface(std::span<const Guide> guides, const TriangleTree& 
 std::vector<double> distancesFrom(std::span<const Guide> guides, const TriangleTree& surface) {
   std::vector<double> distances;
   for (const Guide& guide : guides) {
-    double farthest = 0;
-    for (const Vec3& p : guide.points)
-      farthest = std::max(farthest, std::sqrt(surface.nearest(p).squaredDistance));
-    distances.push_back(farthest);
+    DistanceSampler sampler(surface);
+    for (const Vec3& p : guide.points) sampler.addBeyond(sampler.farthest(), p);
+    distances.push_back(sampler.farthest());
   }
   return distances;
 }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/place.h"
+#include "geometry/distance_sampler.h"
 #include "geometry/mesh_tree.h"
 #include "geometry/mesh_triangle.h"
 #include "geometry/triangle.h"
@@ -183,30 +184,23 @@ Away awayFrom(const MeshTree& other, const HalfedgeMesh& mesh, const VertexData<
   const std::array<Vec3, 4> weights = {Vec3::Constant(1.0 / 3), Vec3(kFar, kNear, kNear),
                                        Vec3(kNear, kFar, kNear), Vec3(kNear, kNear, kFar)};
   const Index step = Index(1 + mesh.faceCapacity() / samples.triangles);
-  double sum = 0, total = 0, farthest = 0;
-  Face last;
+  DistanceSampler sampler(other.triangles());
   for (Index f = 0; f < mesh.faceCapacity(); f += step) {
     if (!mesh.isAlive(Face(f))) continue;
     const auto [a, b, c] = mesh.vertices(Face(f));
     const auto& p = positions;
     const double share = area(p[a], p[b], p[c]) / double(samples.ofEach);
-    for (const Vec3& w : std::span(weights).first(samples.ofEach)) {
-      const MeshTree::Nearest nearest =
-          other.nearest(w[0] * p[a] + w[1] * p[b] + w[2] * p[c], last);
-      last = nearest.face;
-      farthest = std::max(farthest, nearest.distance);
-      sum += share * nearest.distance * nearest.distance;
-      total += share;
-    }
+    for (const Vec3& w : std::span(weights).first(samples.ofEach))
+      sampler.add(w[0] * p[a] + w[1] * p[b] + w[2] * p[c], share);
     for (int k = 0; k < 3; ++k) {
       const Halfedge h = HalfedgeMesh::halfedge(Face(f), k);
       if (!mesh.isBoundary(h)) continue;
       const Vec3 &begin = p[mesh.origin(h)], &end = p[mesh.origin(HalfedgeMesh::next(h))];
       for (const double t : {0.0, 0.25, 0.5, 0.75})
-        farthest = std::max(farthest, other.nearest(begin + t * (end - begin), last).distance);
+        sampler.addBeyond(sampler.farthest(), begin + t * (end - begin));
     }
   }
-  return {total > 0 ? std::sqrt(sum / total) : 0, farthest};
+  return {sampler.rms(), sampler.farthest()};
 }
 
 bool isWorthFollowing(const BuiltMesh& original, std::size_t positions) {

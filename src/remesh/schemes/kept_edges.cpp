@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/options.h"
+#include "geometry/distance_sampler.h"
 #include "geometry/triangle.h"
-#include "geometry/triangle_tree.h"
 
 namespace remesher {
 
@@ -104,17 +104,12 @@ double farthestOfRims(const Surface& surface, const MeshTree& other) {
   std::vector<Halfedge> rims = sharpEdgesOf(surface, kHardlyBlunter * radians(kFeatureAngle));
   for (Index i = 0; i < m.halfedgeCapacity(); ++i)
     if (m.isAlive(Halfedge(i)) && m.isBoundary(Halfedge(i))) rims.emplace_back(i);
-  double farthest = 0;
-  Face last;
+  DistanceSampler sampler(other.triangles());
   for (const Halfedge h : rims) {
     const Vec3 &a = surface.positions[m.origin(h)], &b = surface.positions[m.tip(h)];
-    for (const Vec3& p : {a, Vec3(0.5 * (a + b)), b}) {
-      const MeshTree::Nearest nearest = other.nearest(p, last);
-      last = nearest.face;
-      farthest = std::max(farthest, nearest.distance);
-    }
+    for (const Vec3& p : {a, Vec3(0.5 * (a + b)), b}) sampler.addBeyond(sampler.farthest(), p);
   }
-  return farthest;
+  return sampler.farthest();
 }
 
 double changeOfVolume(const Surface& original, const Surface& made) {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/distance_sampler.h"
 #include "geometry/extent.h"
-#include "geometry/triangle_tree.h"
 #include "remesh/symmetry/half.h"
 
 namespace remesher {
@@ -45,10 +45,10 @@ class Mismatch {
   double operator()(const MirrorPlane& plane) const {
     constexpr std::size_t kSamples = 1000;
     const std::size_t step = mesh_.indices.size() / kSamples + 1;
-    double sum = 0, count = 0;
-    for (std::size_t i = 0; i < mesh_.indices.size(); i += step, ++count)
-      sum += tree_.nearest(plane.mirrored(mesh_.positions[mesh_.indices[i]])).squaredDistance;
-    return sum / count;
+    DistanceSampler sampler(tree_);
+    for (std::size_t i = 0; i < mesh_.indices.size(); i += step)
+      sampler.add(plane.mirrored(mesh_.positions[mesh_.indices[i]]));
+    return sampler.meanSquare();
   }
 
  private:

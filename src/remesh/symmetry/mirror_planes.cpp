@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "geometry/distance_sampler.h"
 #include "geometry/mesh_triangle.h"
 #include "geometry/triangle_tree.h"
 #include "mesh/welding.h"
@@ -136,11 +137,9 @@ class PlaneSearch {
     // Most of what is no mirror shows in a few places.
     const auto few = std::size_t(std::sqrt(double(mesh_.triangleCount())));
     for (const std::size_t stride : {few, std::size_t{1}}) {
-      Index last = 0;
+      DistanceSampler sampler(*tree_);
       const auto isOnSurface = [&](const Vec3& p, double farthest) {
-        const auto found = tree_->nearest(plane.mirrored(p), last);
-        last = found.triangle;
-        return found.squaredDistance <= farthest * farthest;
+        return sampler.addBeyond(farthest, plane.mirrored(p)) <= farthest * farthest;
       };
       for (std::size_t t = 0; t < mesh_.triangleCount(); t += stride) {
         const auto [a, b, c] = cornersOf(mesh_, t);

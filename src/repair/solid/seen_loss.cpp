@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "geometry/triangle_tree.h"
+#include "geometry/distance_sampler.h"
 
 namespace remesher {
 
@@ -34,11 +34,10 @@ class Survey {
     const double area = areaAround(c);
     seen_ += area;
     const Vec3 at = placeOf(lattice_, c);
-    const auto nearest = tree_.nearestBeyond(std::sqrt(squaredBeyond_), at, near_[side]);
-    near_[side] = nearest.triangle;
-    if (nearest.squaredDistance <= squaredBeyond_) return;
+    const double squared = samplers_[side].addBeyond(std::sqrt(squaredBeyond_), at);
+    if (squared <= squaredBeyond_) return;
     lost_ += area;
-    far_.push_back({at, nearest.squaredDistance});
+    far_.push_back({at, squared});
   }
 
   SeenLoss take() {
@@ -87,7 +86,7 @@ class Survey {
   const TriangleTree tree_;
   const double squaredBeyond_;
   double seen_ = 0, lost_ = 0;
-  std::array<Index, 2> near_{};  // per side, a triangle of the result near the last point
+  std::array<DistanceSampler, 2> samplers_{DistanceSampler(tree_), DistanceSampler(tree_)};
   std::vector<FarPoint> far_;
 };
 

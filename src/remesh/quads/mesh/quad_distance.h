@@ -1,14 +1,32 @@
 // SPDX-License-Identifier: MIT
-// Tells maps that follow a surface from those that leave it.
+// How far quads are from a surface.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <vector>
 
-#include "geometry/triangle_tree.h"
+#include "geometry/mesh_tree.h"
 #include "remesh/quads/mesh/quad_mesh.h"
 
 namespace remesher {
 
+// A tree of the quads as triangles, two each, as they are now.
+class QuadTree {
+ public:
+  explicit QuadTree(const QuadMesh& mesh);
+
+  const TriangleTree& operator*() const { return *tree_; }
+  // The corners of a triangle, as numbers of vertices of the quads.
+  std::array<Index, 3> corners(Index triangle) const;
+
+ private:
+  std::vector<Vec3> positions_;
+  std::vector<Index> indices_;
+  std::optional<TriangleTree> tree_;
+};
+
+// Tells maps that follow a surface from those that leave it.
 class QuadDistance {
  public:
   // The mesh must outlive it.
@@ -20,8 +38,7 @@ class QuadDistance {
 
  private:
   const WorkingMesh& mesh_;
-  const std::vector<Index> corners_;
-  const TriangleTree tree_;
+  const MeshTree tree_;
 };
 
 }  // namespace remesher

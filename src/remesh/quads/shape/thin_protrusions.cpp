@@ -8,8 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/triangle_tree.h"
+#include "geometry/distance_sampler.h"
 #include "original/surface/surface_walk.h"
+#include "remesh/quads/mesh/quad_distance.h"
 #include "remesh/quads/mesh/quad_parts.h"
 #include "remesh/quads/mesh/triangulated.h"
 
@@ -24,18 +25,13 @@ struct FromQuads {
 };
 
 FromQuads distancesFrom(const QuadMesh& mesh, const WorkingMesh& ground) {
-  std::vector<Vec3> positions;
-  for (const Placement& place : mesh.vertices) positions.push_back(place.position);
-  const std::vector<Index> triangles = trianglesOf(mesh);
-  const TriangleTree tree(positions, triangles);
+  const QuadTree tree(mesh);
   const auto count = Index(ground.mesh().vertexCapacity());
   FromQuads result{VertexData<double>(count, 0), VertexData<Index>(count, kNone)};
-  Index before = 0;
+  DistanceSampler sampler(*tree);
   for (Index i = 0; i < count; ++i) {
-    const auto found = tree.nearest(ground.position(Vertex(i)), before);
-    before = found.triangle;
-    result.distance[Vertex(i)] = std::sqrt(found.squaredDistance);
-    result.quad[Vertex(i)] = found.triangle / 2;
+    result.distance[Vertex(i)] = std::sqrt(sampler.add(ground.position(Vertex(i))));
+    result.quad[Vertex(i)] = sampler.near() / 2;
   }
   return result;
 }

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "remesh/quads/mesh/triangulated.h"
+#include "geometry/distance_sampler.h"
 
 namespace remesher {
 
@@ -24,27 +24,16 @@ std::vector<Tip> possibleTips(const OriginalSurface& surface) {
   return tips;
 }
 
-QuadTree::QuadTree(const QuadMesh& mesh) : indices_(trianglesOf(mesh)) {
-  for (const Placement& place : mesh.vertices) positions_.push_back(place.position);
-  tree_.emplace(positions_, indices_);
-}
-
-std::array<Index, 3> QuadTree::corners(Index triangle) const {
-  const std::size_t first = std::size_t{3} * triangle;
-  return {indices_[first], indices_[first + 1], indices_[first + 2]};
-}
-
 // Most are still near the triangle that they were near before, or that the vertex before them is
 // near.
 void measure(std::vector<Tip>& possible, const QuadTree& tree, const OriginalSurface& surface,
              double least) {
-  Index before = 0;
+  DistanceSampler sampler(*tree);
+  sampler.beginAt(0);
   for (Tip& tip : possible) {
-    const Vec3& p = surface.positions()[Vertex(tip.vertex)];
-    const auto found =
-        (*tree).nearestBeyond(least, p, tip.triangle == kNone ? before : tip.triangle);
-    tip.triangle = before = found.triangle;
-    tip.distance = std::sqrt(found.squaredDistance);
+    if (tip.triangle != kNone) sampler.beginAt(tip.triangle);
+    tip.distance = std::sqrt(sampler.addBeyond(least, surface.positions()[Vertex(tip.vertex)]));
+    tip.triangle = sampler.near();
   }
 }
 
