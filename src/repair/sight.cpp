@@ -2,14 +2,12 @@
 #include "repair/sight.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
 #include "base/place.h"
-#include "geometry/ray_crossings.h"
+#include "geometry/distance_sampler.h"
 #include "geometry/triangle_meeting.h"
-#include "geometry/triangle_tree.h"
 
 namespace remesher {
 
@@ -20,29 +18,6 @@ constexpr double kRaysAtLeast = 2e4;    // points of all triangles together, for
 constexpr Index kMostSightPoints = 16;  // of a triangle, for each direction
 constexpr Index kMorePoints = 6;        // where a neighbour is seen
 constexpr int kSightRounds = 4;         // of such triangles
-
-// Spread evenly over half a sphere, by the golden angle.
-Vec3 directionOf(Index line) {
-  const double height = (line + 0.5) / kLines, turn = 2.399963229728653 * line;
-  const double radius = std::sqrt(1 - height * height);
-  return {radius * std::cos(turn), radius * std::sin(turn), height};
-}
-
-// A rotation that takes the direction to the x axis.
-Eigen::Matrix3d rotationTo(const Vec3& x) {
-  const Vec3 y = x.unitOrthogonal();
-  Eigen::Matrix3d rotation;
-  rotation << x.transpose(), y.transpose(), x.cross(y).transpose();
-  return rotation;
-}
-
-// The n-th of a sequence of points that fills a triangle evenly, as weights.
-Vec3 pointOf(Index n) {
-  constexpr double kFirst = 0.7548776662466927, kSecond = 0.5698402909980532;
-  double u = std::fmod(0.5 + kFirst * n, 1.0), v = std::fmod(0.5 + kSecond * n, 1.0);
-  if (u + v > 1) u = 1 - u, v = 1 - v;
-  return {1 - u - v, u, v};
-}
 
 class Watch {
  public:
@@ -80,13 +55,13 @@ class Watch {
   bool look(std::vector<Index> triangles, Index points) {
     const std::size_t before = triangles.size();
     for (Index line = 0; line < kLines && !triangles.empty(); ++line) {
-      const Eigen::Matrix3d rotation = rotationTo(directionOf(line));
+      const Eigen::Matrix3d rotation = sightRotation(line, kLines);
       turned_.clear();
       for (const Vec3& p : scene_.positions) turned_.emplace_back(rotation * p);
       const TriangleTree tree(turned_, opaqueCorners_);
       std::erase_if(triangles, [&](Index t) {
         for (Index n = 0; n < points && !isSeen_[t]; ++n)
-          isSeen_[t] = char(isOpen(t, pointOf(line * points + n), tree));
+          isSeen_[t] = char(isOpen(t, evenPoint(line * points + n), tree));
         return isSeen_[t] != 0;
       });
     }
@@ -98,16 +73,7 @@ class Watch {
     const Index* v = &scene_.corners[std::size_t{3} * t];
     const Vec3 p =
         weights[0] * turned_[v[0]] + weights[1] * turned_[v[1]] + weights[2] * turned_[v[2]];
-    std::array<bool, 2> isBlocked{};
-    Box line;
-    line.extend(Vec3(tree.box().low.x(), p.y(), p.z()));
-    line.extend(Vec3(tree.box().high.x(), p.y(), p.z()));
-    tree.visitOverlapping(line, [&](Index other) {
-      if (opaque_[other] == t || (isBlocked[0] && isBlocked[1])) return;
-      const int crossing = lineCrossing(p, tree.corners(other));
-      if (crossing != 0) isBlocked[crossing > 0 ? 0 : 1] = true;
-    });
-    return !isBlocked[0] || !isBlocked[1];
+    return leadsOut(p, tree, [&](Index other) { return opaque_[other] == t; });
   }
 
   std::vector<Index> besideSeen() const {
@@ -133,6 +99,17 @@ class Watch {
 };
 
 }  // namespace
+
+// By the golden angle.
+Eigen::Matrix3d sightRotation(Index line, Index count) {
+  const double height = (line + 0.5) / count, turn = 2.399963229728653 * line;
+  const double radius = std::sqrt(1 - height * height);
+  const Vec3 x(radius * std::cos(turn), radius * std::sin(turn), height);
+  const Vec3 y = x.unitOrthogonal();
+  Eigen::Matrix3d rotation;
+  rotation << x.transpose(), y.transpose(), x.cross(y).transpose();
+  return rotation;
+}
 
 std::vector<char> seenFromOutside(const SightScene& scene) { return Watch(scene).run(); }
 
