@@ -12,6 +12,7 @@
 //   npm run bench -- mended [--json FILE] [FOLDER…]     broken files: what repair makes of each
 //   npm run bench -- page --models FOLDER [--runs N]          how long visitors of the page wait
 //   npm run bench -- quads --models FOLDER [case…]                          quads, by one evaluator
+//   npm run bench -- quadshare [--models FOLDER] [--json FILE] [model…]   runs that artists keep
 //   npm run bench -- repair [--models FOLDER] [--json FILE] [--wrap] [case…]   broken surfaces
 //   npm run bench -- readme --models FOLDER           the figures that README.md prints
 //   npm run bench -- sensitivity NAME --value V… --models FOLDER [case…]   a constant's worth
@@ -31,6 +32,7 @@ import { runLarge } from './large.js';
 import { runMended } from './mended.js';
 import { runPage } from './page.js';
 import { runParts } from './parts.js';
+import { runQuadShare } from './quad_share.js';
 import { runQuads } from './quads.js';
 import { runReadme } from './readme.js';
 import { runRepair } from './repair.js';
@@ -73,6 +75,9 @@ function run() {
       return runPage(limits.page, { folder: values.models, runs: Number(values.runs) });
     case 'parts': return runParts(limits.parts, { folder: values.models, names: rest });
     case 'quads': return runQuads(limits.quads, { folder: values.models, names: rest });
+    case 'quadshare':
+      return runQuadShare({ folders: values.models ? [values.models] : [], names: rest,
+        json: values.json });
     case 'repair':
       return runRepair(limits.repair, { folder: values.models, names: rest, json: values.json,
         wrap: values.wrap });

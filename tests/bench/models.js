@@ -35,7 +35,8 @@ export function readOff(text) {
   const lines = text.replace(/#.*$/gm, '').split('\n').map((line) => line.trim()).filter(Boolean);
   const [pointCount, polygonCount] = lines[1].split(/\s+/).map(Number);
   const numbers = (line) => line.split(/\s+/).map(Number);
-  const points = lines.slice(2, 2 + pointCount).map(numbers);
+  // Normals, colours and texture coordinates may follow the place.
+  const points = lines.slice(2, 2 + pointCount).map((line) => numbers(line).slice(0, 3));
   const polygons = lines.slice(2 + pointCount, 2 + pointCount + polygonCount).map(numbers);
   return fromLists(points, polygons.map(([size, ...corners]) => corners.slice(0, size)));
 }
