@@ -281,6 +281,7 @@ set(small
   src/remesh/quads/mesh/quad_parts.cpp
   src/remesh/quads/mesh/quad_sides.cpp
   src/remesh/quads/mesh/triangulated.cpp
+  src/remesh/quads/pair/box_quads.cpp
   src/remesh/quads/pair/pairing.cpp
   src/remesh/quads/quad_sizes.cpp
   src/remesh/quads/shape/chords.cpp

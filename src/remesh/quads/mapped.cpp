@@ -42,6 +42,9 @@ constexpr double kTooMany = 4;
 constexpr double kFew = 100;
 // Quads that leave a part of the surface by as many sides are worse than pairs.
 constexpr double kMostAway = 1.4;
+// Where more than this share of the quads is unsound, curves are nearer to each other than sides
+// are long. Mending them would take a second for each map, and most would stay.
+constexpr double kHopeless = 0.2;
 // Where the longest loop crosses more than this share of the edges, so many more maps are looked
 // at, whose scales differ by kMoreStep, for one whose longest loop is clearly shorter.
 constexpr double kLongLoop = 0.25, kMoreStep = 0.002, kShorter = 0.9;
@@ -152,7 +155,13 @@ std::optional<Extracted> searchScale(const Domain& domain, const MapMaker& maker
       ++failed;
       continue;
     }
-    shape(made.quads, part);
+    settle(made.quads, part);
+    if (vertices > kFew && unsoundShare(made.quads, part) > kHopeless) {
+      fires("quads: too many unsound to be mended");
+      ++failed;
+      continue;
+    }
+    rewire(made.quads, part);
     made.faults += kTooMany * faultsOf(made.quads, part);
     ++shaped;
     if (!best || costOf(made, vertices) < costOf(*best, vertices)) best = std::move(made);

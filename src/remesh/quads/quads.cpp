@@ -11,7 +11,9 @@
 #include "remesh/quads/counting.h"
 #include "remesh/quads/field/sectors.h"
 #include "remesh/quads/field/singularities.h"
+#include "remesh/quads/mesh/quad_distance.h"
 #include "remesh/quads/mesh/quad_parts.h"
+#include "remesh/quads/pair/box_quads.h"
 #include "remesh/quads/pair/pairing.h"
 #include "remesh/quads/quad_sizes.h"
 #include "remesh/quads/shape/fairing.h"
@@ -110,6 +112,10 @@ QuadMesh pairsOf(const WorkingMesh& mesh, double length, std::span<const Guide> 
   return splitPairs(mesh, pairTriangles(mesh, frames, field));
 }
 
+// A part of more vertices that has no map is hardly like a box; nor is one that the sides of the
+// box leave by more than this, in sides of quads.
+constexpr double kMostOfBox = 64, kFarBox = 1.1;
+
 // As many vertices as a triangle has that is divided into quads at its middle.
 constexpr std::size_t kFewestOfPairs = 7;
 
@@ -170,6 +176,16 @@ MadeQuads pairParts(const std::vector<PartShare>& wanted, std::size_t vertices,
     coarse = next;
   }
   return quads;
+}
+
+// The sides of a box, shaped, if they are sound and near; only of few vertices.
+QuadMesh boxed(const WorkingMesh& part, double vertices) {
+  if (vertices > kMostOfBox) return {};
+  QuadMesh box = boxQuads(part, vertices);
+  if (box.quads.empty()) return {};
+  shape(box, part);
+  const bool isGood = faultsOf(box, part) == 0 && QuadDistance(part).sidesAway(box) <= kFarBox;
+  return isGood ? std::move(box) : QuadMesh{};
 }
 
 // The quads of a whole, part by part.
@@ -253,10 +269,13 @@ class QuadMaking {
     std::vector<Mapped> mapped;
     for (const PartShare& one : shares) {
       QuadMesh quads = mapOn(bases_, starts_[one.part], one, goal_);
-      if (quads.quads.empty())
-        failed.push_back(one);
-      else
+      if (!quads.quads.empty())
         mapped.push_back({one, std::move(quads)});
+      else if (const QuadMesh box = boxed(bases_.parts()[one.part], one.vertices);
+               !box.quads.empty())
+        append(result.mesh, box);
+      else
+        failed.push_back(one);
     }
     if (!failed.empty()) {
       const auto vertices = std::size_t(std::ceil(share * expected_));

@@ -23,6 +23,13 @@ void shape(QuadMesh& quads, const WorkingMesh& ground) {
   rewire(quads, ground);
 }
 
+double unsoundShare(QuadMesh& quads, const WorkingMesh& ground) {
+  const MovingQuads moving(quads, ground);
+  std::size_t count = 0;
+  for (Index q = 0; q < quads.quads.size(); ++q) count += moving.quality(q) < kLeastSine;
+  return double(count) / double(std::max<std::size_t>(quads.quads.size(), 1));
+}
+
 double faultsOf(QuadMesh& quads, const WorkingMesh& ground) {
   const MovingQuads moving(quads, ground);
   double sum = 0;

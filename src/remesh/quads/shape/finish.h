@@ -12,6 +12,9 @@ void settle(QuadMesh& quads, const WorkingMesh& ground);
 // Moves vertices, then divides and joins quads around those that stay unsound.
 void shape(QuadMesh& quads, const WorkingMesh& ground);
 
+// The share of quads that fold, or have hardly any area.
+double unsoundShare(QuadMesh& quads, const WorkingMesh& ground);
+
 // How unsound the quads are: 1 for each without area, more for folds, less for narrow ones.
 double faultsOf(QuadMesh& quads, const WorkingMesh& ground);
 
