@@ -226,7 +226,7 @@ class QuadMaking {
       settle(best->mesh, bases_.first());
     if (!goal_.isDraft) {
       reachTips(best->mesh, bases_.first(), kSmoothingSweeps);
-      if (best->mesh.vertices.size() <= kMostFaired) fair(best->mesh, bases_.first());
+      fair(best->mesh, bases_.first());
     }
     return std::move(*best);
   }

@@ -31,10 +31,6 @@ constexpr double kCountTolerance = 0.01;
 // quads make none, but only some numbers.
 constexpr double kFreeTolerance = 0.04;
 
-// Meshes of more vertices are not faired: the factor of the matrix would take as long as all else,
-// and their rows hardly bend from quad to quad.
-constexpr std::size_t kMostFaired = 8000;
-
 struct QuadGoal {
   std::size_t vertices = 0;        // of the whole
   bool isExact = false;            // else within kCountTolerance, or kFreeTolerance

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "original/surface/original_tree.h"
-#include "remesh/accuracy/fit.h"
 #include "remesh/accuracy/lower_hausdorff.h"
 #include "remesh/quads/mesh/triangulated.h"
 #include "remesh/quads/quads.h"
@@ -55,9 +54,7 @@ RemeshOptions optionsForQuads(RemeshOptions options) {
   return options;
 }
 
-// Vertices that lie on a curved surface leave their quads on its inner side: where they are not
-// faired, they move to where the quads fit. Then the few around the largest distances move to where
-// these are smallest.
+// The few vertices around the largest distances move to where these are smallest.
 void bringNearer(WorkingMesh& mesh, const Prepared& original, const RemeshOptions& options,
                  const Grain& grain) {
   Projector projector = projectorFor(original, options);
@@ -70,7 +67,6 @@ void bringNearer(WorkingMesh& mesh, const Prepared& original, const RemeshOption
   run.asked.rule.grain = grain;
   run.asked.areQuads = true;
   run.asked.effort = effortOf(Quality::Best, Level::Finest, mesh.mesh().vertexCount());
-  if (mesh.mesh().vertexCount() > kMostFaired) fit(run, {});
   // Distances are lowered beside the sides of the quads: those of the map's triangles may be a
   // quarter as long, and lines of quads would be bent for little.
   sizes = SizeField(original.surface(), {double(mesh.mesh().vertexCount()), *options.adaptivity});

@@ -17,6 +17,24 @@ constexpr double kAtCorner = kNear * kCornerShare, kAtMiddle = kNear * kMiddleSh
 constexpr std::array<double, 5> kFourth = {1, -4, 6, -4, 1};
 constexpr std::array<double, 4> kThird = {-1, 3, -3, 1};
 
+// What is left of the right side once the system counts as solved; by far fewer steps do.
+constexpr double kSolved = 1e-7;
+constexpr int kMostSteps = 60;
+
+Vec3 sumOfProducts(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i].cwiseProduct(b[i]);
+  return sum;
+}
+
+// 0 where the divisor is.
+Vec3 quotients(const Vec3& a, const Vec3& b) {
+  Vec3 result = Vec3::Zero();
+  for (Eigen::Index k = 0; k < 3; ++k)
+    if (b[k] > 0) result[k] = a[k] / b[k];
+  return result;
+}
+
 }  // namespace
 
 FairSystem::FairSystem(const QuadMesh& mesh, const QuadSides& sides)
@@ -32,9 +50,8 @@ FairSystem::FairSystem(const QuadMesh& mesh, const QuadSides& sides)
     for (const Index v : quad)
       for (const Index w : quad) addEntry(v, w, v == w ? kOwn : kOther, entries);
   addRows(entries);
-  Eigen::SparseMatrix<double> matrix(count_, count_);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  if (count_ > 0) solver_.compute(matrix);
+  matrix_.resize(count_, count_);
+  matrix_.setFromTriplets(entries.begin(), entries.end());
 }
 
 void FairSystem::addEntry(Index v, Index w, double value,
@@ -42,7 +59,7 @@ void FairSystem::addEntry(Index v, Index w, double value,
   if (!isFree(v)) return;
   if (!isFree(w))
     fixed_[unknown_[v]] -= value * mesh_.position(w);
-  else if (unknown_[w] <= unknown_[v])
+  else
     entries.emplace_back(unknown_[v], unknown_[w], value);
 }
 
@@ -94,13 +111,40 @@ void FairSystem::wantVertex(Index v, const Vec3& place) {
   add(v, kAtCorner * sides_.quadsAround(v) * place);
 }
 
+std::vector<Vec3> FairSystem::times(const std::vector<Vec3>& places) const {
+  std::vector<Vec3> result(places.size(), Vec3::Zero());
+  for (Index i = 0; i < count_; ++i)
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix_, i); entry; ++entry)
+      result[i] += entry.value() * places[std::size_t(entry.row())];
+  return result;
+}
+
+// By conjugate gradients from where the vertices are, all three coordinates at once. The matrix is
+// so well conditioned that a dozen steps do, each in proportion to the number of vertices.
 std::vector<Vec3> FairSystem::solve() const {
-  Eigen::MatrixX3d right(count_, 3);
-  for (Index i = 0; i < count_; ++i) right.row(i) = right_[i].transpose();
-  const Eigen::MatrixX3d found = solver_.solve(right);
-  std::vector<Vec3> places;
+  std::vector<Vec3> found(count_), places;
   for (Index v = 0; v < unknown_.size(); ++v)
-    places.push_back(isFree(v) ? Vec3(found.row(unknown_[v]).transpose()) : mesh_.position(v));
+    if (isFree(v)) found[unknown_[v]] = mesh_.position(v);
+  std::vector<Vec3> rest = right_, way(count_, Vec3::Zero());
+  const std::vector<Vec3> start = times(found);
+  for (Index i = 0; i < count_; ++i) rest[i] -= start[i];
+  const double enough = kSolved * kSolved * sumOfProducts(right_, right_).sum();
+  Vec3 before = Vec3::Zero();
+  for (int step = 0; step < kMostSteps; ++step) {
+    const Vec3 now = sumOfProducts(rest, rest);
+    if (!(now.sum() > enough)) break;
+    const Vec3 kept = quotients(now, before);
+    for (Index i = 0; i < count_; ++i) way[i] = rest[i] + kept.cwiseProduct(way[i]);
+    const std::vector<Vec3> change = times(way);
+    const Vec3 share = quotients(now, sumOfProducts(way, change));
+    for (Index i = 0; i < count_; ++i) {
+      found[i] += share.cwiseProduct(way[i]);
+      rest[i] -= share.cwiseProduct(change[i]);
+    }
+    before = now;
+  }
+  for (Index v = 0; v < unknown_.size(); ++v)
+    places.push_back(isFree(v) ? found[unknown_[v]] : mesh_.position(v));
   return places;
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The linear system of fairing: where inner vertices lie so that quads are like given rectangles,
 // are near given places, and lie in smooth rows, all by least squares. Other vertices stay. The
-// matrix depends on the connectivity alone, and is factored once.
+// matrix depends on the connectivity alone.
 #pragma once
 
-#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
 #include <span>
 #include <vector>
 
@@ -44,13 +44,14 @@ class FairSystem {
     if (isFree(v)) right_[unknown_[v]] += right;
   }
   Index onward(Index side) const;
+  std::vector<Vec3> times(const std::vector<Vec3>& places) const;  // by the matrix
 
   const QuadMesh& mesh_;
   const QuadSides& sides_;
   std::vector<Index> unknown_;
   Index count_ = 0;
   std::vector<Vec3> fixed_, right_;
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;
+  Eigen::SparseMatrix<double> matrix_;  // symmetric
 };
 
 }  // namespace remesher
