@@ -269,11 +269,13 @@ class QuadMaking {
     std::vector<Mapped> mapped;
     for (const PartShare& one : shares) {
       QuadMesh quads = mapOn(bases_, starts_[one.part], one, goal_);
-      if (!quads.quads.empty())
-        mapped.push_back({one, std::move(quads)});
-      else if (const QuadMesh box = boxed(bases_.parts()[one.part], one.vertices);
-               !box.quads.empty())
+      QuadMesh box;
+      if (quads.quads.empty() || faultsOf(quads, bases_.first()) > 0)
+        box = boxed(bases_.parts()[one.part], one.vertices);
+      if (!box.quads.empty())
         append(result.mesh, box);
+      else if (!quads.quads.empty())
+        mapped.push_back({one, std::move(quads)});
       else
         failed.push_back(one);
     }
