@@ -55,6 +55,7 @@ set(linear
   src/original/patches/disk_patch.cpp
   src/original/patches/patch_atlas.cpp
   src/original/patches/point_location.cpp
+  src/remesh/conforming/exchange.cpp
   src/remesh/conforming/facet_flips.cpp
   src/remesh/conforming/smoothing_facets.cpp
   src/remesh/gate/crossings.cpp

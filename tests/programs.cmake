@@ -139,6 +139,7 @@ add_executable(unit_tests
   tests/unit/remesh/accuracy/refine_excess_test.cpp
   tests/unit/remesh/accuracy/uncross_test.cpp
   tests/unit/remesh/conforming/conforming_test.cpp
+  tests/unit/remesh/conforming/exchange_test.cpp
   tests/unit/remesh/conforming/unrolled_test.cpp
   tests/unit/remesh/gate/angles_test.cpp
   tests/unit/remesh/gate/crossing_guard_test.cpp

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "remesh/conforming/conforming.h"
 
+#include <cmath>
 #include <utility>
 #include <vector>
 
+#include "base/options.h"
 #include "base/place.h"
+#include "geometry/triangle.h"
+#include "remesh/conforming/exchange.h"
 #include "remesh/conforming/refinement.h"
 #include "remesh/conforming/smoothing_facets.h"
 #include "remesh/conforming/thinning.h"
@@ -12,6 +16,9 @@
 namespace remesher {
 
 namespace {
+
+// Facets that bend by less against each other are parts of one smooth surface.
+const double kCosineOfSmooth = std::cos(radians(30));
 
 std::size_t placesOf(const FacetedMesh& mesh) {
   std::vector<Vec3> places;
@@ -31,6 +38,24 @@ bool isNear(const FacetedMesh& mesh) {
   return true;
 }
 
+// Whether the vertex lies in an unrolled facet, or on a smooth line between two of them.
+bool mayLift(const FacetedMesh& mesh, Vertex v) {
+  if (mesh.role(v) == FacetRole::Corner) return false;
+  const HalfedgeMesh& m = mesh.mesh();
+  const auto normalOf = [&](Halfedge h) {
+    const auto [a, b, c] = m.vertices(m.face(h));
+    return unitNormal(mesh.positions()[a], mesh.positions()[b], mesh.positions()[c]);
+  };
+  bool may = true;
+  m.forEachOutgoing(v, [&](Halfedge h) {
+    may = may && mesh.isBent(mesh.facet(m.face(h)));
+    if (!may || !mesh.isLine(h)) return;
+    const Halfedge t = m.twin(h);
+    may = t && !mesh.isKept(h) && normalOf(h).dot(normalOf(t)) > kCosineOfSmooth;
+  });
+  return may;
+}
+
 // Edges through unrolled facets are chords: all on one side of the original. Vertices inside move
 // to the other side by as much as the chords are away on average, so that the volume stays and the
 // largest distance becomes smaller.
@@ -39,13 +64,13 @@ void balance(FacetedMesh& mesh) {
   std::vector<std::pair<Vertex, Vec3>> ways;
   for (Index i = 0; i < m.vertexCapacity(); ++i) {
     const Vertex v(i);
-    if (!m.isAlive(v) || mesh.role(v) != FacetRole::Free) continue;
-    const Index facet = mesh.facet(m.face(m.outgoing(v)));
-    if (!mesh.isBent(facet)) continue;
+    if (!m.isAlive(v) || !mayLift(mesh, v)) continue;
     Vec3 sum = Vec3::Zero();
     int chords = 0;
-    m.forEachNeighbor(v, [&](Vertex w) {
-      sum += mesh.halfway(v, w, facet) - 0.5 * (mesh.positions()[v] + mesh.positions()[w]);
+    m.forEachOutgoing(v, [&](Halfedge h) {
+      const Vertex w = m.tip(h);
+      sum += mesh.halfway(v, w, mesh.facet(m.face(h))) -
+             0.5 * (mesh.positions()[v] + mesh.positions()[w]);
       ++chords;
     });
     ways.emplace_back(v, sum / chords);
@@ -68,6 +93,7 @@ std::unique_ptr<FacetedMesh> makeConforming(const BuiltMesh& original,
     if (now > positions || !refineFacets(*mesh, positions - now)) return nullptr;
     if (!mesh->isSound()) return nullptr;
     smoothFacets(*mesh);
+    mesh = exchangeVertices(std::move(mesh));
     if (placesOf(*mesh) != positions) continue;
     if (!isNear(*mesh)) return nullptr;
     balance(*mesh);

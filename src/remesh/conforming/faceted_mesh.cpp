@@ -214,19 +214,23 @@ Vertex FacetedMesh::splitOff(Halfedge h) {
   return v;
 }
 
+// A place exactly on an edge divides the triangles on both sides of it.
 Vertex FacetedMesh::divide(Face f, const Vec2& place) {
   const Index facet = facet_[f];
   const Place found = placeAt(place, facet, pointIn(mesh_.vertices(f)[0], facet).face);
   const Vec2 p = isBent(facet) ? flatOf(found.at, facet) : frames_[facet].flat(found.position);
+  Halfedge beside, below;
   for (int k = 0; k < 3; ++k) {
     const Halfedge h = HalfedgeMesh::halfedge(f, k);
+    const int side = orient2d(flat(mesh_.origin(h), facet), flat(mesh_.tip(h), facet), p);
+    if (side == 0 && !below && std::isfinite(p.sum())) below = h;
     // Not so either where the place is no number.
-    if (!(orient2d(flat(mesh_.origin(h), facet), flat(mesh_.tip(h), facet), p) > 0)) return {};
+    else if (!(side > 0))
+      return {};
+    if (!beside && mesh_.twin(h)) beside = h;
   }
-  Halfedge h = HalfedgeMesh::halfedge(f);
-  for (int k = 0; k < 3 && !mesh_.twin(h); ++k) h = mesh_.next(h);
-  if (!mesh_.twin(h)) return {};
-  const Vertex v = splitOff(h);
+  if (below ? isLine(below) || !mesh_.twin(below) : !beside) return {};
+  const Vertex v = below ? splitEdge(below) : splitOff(beside);
   put(v, FacetRole::Free, found);
   return v;
 }
@@ -235,10 +239,9 @@ double FacetedMesh::arcOf(Vertex v, Index chain) const {
   return role_[v] == FacetRole::Corner ? curves_.atCorner(chain, source_[v]).arc : along_[v].arc;
 }
 
-Vertex FacetedMesh::split(Halfedge h, double share) {
+// A new vertex on an edge, whose place is still to be set.
+Vertex FacetedMesh::splitEdge(Halfedge h) {
   const Index chain = line_[h];
-  const double from = arcOf(mesh_.origin(h), chain), to = arcOf(mesh_.tip(h), chain);
-  const CurvePoint along{chain, from + share * (to - from)};
   const Halfedge t = mesh_.twin(h);
   const Index bc = line_[mesh_.next(h)], db = t ? line_[mesh_.prev(t)] : kNone;
   const auto [v, beyond] = EulerOperators(mesh_).split(h);
@@ -254,6 +257,14 @@ Vertex FacetedMesh::split(Halfedge h, double share) {
     line_[mesh_.prev(back)] = db;
     line_[mesh_.prev(t)] = line_[mesh_.next(back)] = kNone;
   }
+  return v;
+}
+
+Vertex FacetedMesh::split(Halfedge h, double share) {
+  const Index chain = line_[h];
+  const double from = arcOf(mesh_.origin(h), chain), to = arcOf(mesh_.tip(h), chain);
+  const CurvePoint along{chain, from + share * (to - from)};
+  const Vertex v = splitEdge(h);
   const FeatureCurves::Place place = curves_.locate(original_.mesh, original_.positions, along);
   put(v, FacetRole::OnLine, {place.at, place.position});
   along_[v] = along;

@@ -26,7 +26,7 @@ class FacetedMesh {
   // original where facets are unrolled, model units; with 0 none are. The original must outlive the
   // object.
   FacetedMesh(const BuiltMesh& original, const HalfedgeData<char>& seams, double depth = 0);
-  FacetedMesh(const FacetedMesh&) = delete;
+  FacetedMesh(const FacetedMesh&) = default;
   FacetedMesh& operator=(const FacetedMesh&) = delete;
 
   const HalfedgeMesh& mesh() const { return mesh_; }
@@ -52,7 +52,7 @@ class FacetedMesh {
   bool hasBent() const;
   // The point of the original halfway between two vertices of an unrolled facet.
   Vec3 halfway(Vertex a, Vertex b, Index facet) const;
-  // Moves a vertex off the original, its place there stays the same.
+  // Moves a vertex off the original. Its place there stays the same.
   void lift(Vertex v, const Vec3& way) { positions_[v] += way; }
   // Whether an edge through the facet would be farther from it than it may be.
   bool isDeep(Vertex a, Vertex b, Index facet) const;
@@ -100,6 +100,7 @@ class FacetedMesh {
   void setRoles(const HalfedgeData<char>& seams);
   void grow();
   Vertex splitOff(Halfedge h);
+  Vertex splitEdge(Halfedge h);
   bool staysTurned(Halfedge h) const;
   double arcOf(Vertex v, Index chain) const;
   std::optional<SurfacePoint> across(const SurfacePoint& point, Index facet) const;

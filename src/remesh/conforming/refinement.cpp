@@ -18,8 +18,9 @@ namespace {
 // The shares of a line at which it may be split.
 constexpr std::array<double, 3> kShares = {0.5, 0.4, 0.6};
 
-// Triangles away from the original come before all others.
-constexpr double kDeepFirst = 1e9;
+// Triangles away from the original count so much more. Not more than that: vertices that only bring
+// triangles nearer would leave needles between them.
+constexpr double kDeepMore = 3;
 
 struct FacetCorners {
   std::array<Vec2, 3> at;
@@ -61,21 +62,21 @@ class FacetRefinement {
     return {{mesh_.flat(a, facet), mesh_.flat(b, facet), mesh_.flat(c, facet)}};
   }
 
-  // Large triangles and needles are bad. A needle between two lines that meet at an acute angle
-  // stays one, and counts by its size only.
+  // Large triangles and needles are bad; narrow facets have small ones, which are needles as well.
+  // A needle between two lines that meet at an acute angle stays one, and counts by its size only.
   double badness(Face f) const {
     const FacetCorners corners = cornersOf(f);
     const double radius = (corners.circumcentre() - corners.at[0]).norm();
     std::size_t least = 0;
     for (std::size_t k = 1; k < 3; ++k)
       if (corners.length(k) < corners.length(least)) least = k;
-    if (isDeep(f)) return kDeepFirst * radius;
+    const double size = radius * (isDeep(f) ? kDeepMore : 1);
     const auto isLine = [&](std::size_t k) {
       return mesh_.isLine(HalfedgeMesh::halfedge(f, int(k % 3)));
     };
-    if (isLine(least + 1) && isLine(least + 2)) return radius;
+    if (isLine(least + 1) && isLine(least + 2)) return size;
     const double thin = radius / corners.length(least);
-    return radius * thin * std::sqrt(thin);
+    return size * thin * std::sqrt(thin);
   }
 
   bool isDeep(Face f) const {

@@ -15,11 +15,13 @@ namespace remesher {
 
 namespace {
 
-constexpr int kPasses = 4;
 // Wider angles elsewhere are worth no triangle of a star whose smallest angle is less than this.
 constexpr double kLeastKept = radians(30);
 // No angle is kept as it is to the last digit.
 constexpr double kRounded = 1 - 1e-9;
+
+// The shares of a way that are tried where its end is too far from the original.
+constexpr std::array<double, 3> kSharesOfWay = {1, 0.5, 0.25};
 
 // First triangles become round, which also draws apart what is needles; then the smallest angles
 // become as wide as possible on average.
@@ -31,16 +33,6 @@ double thinness(const Vec2& a, const Vec2& b, const Vec2& c) {
   const double squares = (b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm();
   const double ratio = squares / (2 * std::numbers::sqrt3 * cross(b - a, c - a));
   return ratio * ratio;
-}
-
-// The angle opposite to the shortest side.
-double smallestAngle(const Vec2& a, const Vec2& b, const Vec2& c) {
-  std::array<Vec2, 3> sides = {b - a, c - b, a - c};
-  const auto isShorter = [](const Vec2& s, const Vec2& t) {
-    return s.squaredNorm() < t.squaredNorm();
-  };
-  std::rotate(sides.begin(), std::min_element(sides.begin(), sides.end(), isShorter), sides.end());
-  return angleOf(cross(sides[1], sides[2]), -sides[1].dot(sides[2]));
 }
 
 class StarSmoothing {
@@ -113,7 +105,8 @@ class StarSmoothing {
     double spoke = 0;
     for (const Side& side : sides_) spoke += (side.from - start).norm() / double(sides_.size());
     Vec2 best = start;
-    double least = lossAt(start);
+    const double before = lossAt(start);
+    double least = before;
     searchPattern([&](double step) {
       const Vec2 from = best;
       for (const Vec2& way : planeDirections()) {
@@ -124,8 +117,13 @@ class StarSmoothing {
       return best != from;
     });
     if (best == start) return;
-    mesh_.move(v, best, facet);
-    if (!isDeep_ && hasDeepSpoke(v)) mesh_.move(v, start, facet);
+    for (const double share : kSharesOfWay) {
+      const Vec2 p = start + share * (best - start);
+      if (share < 1 && !(lossAt(p) < before)) continue;
+      mesh_.move(v, p, facet);
+      if (isDeep_ || !hasDeepSpoke(v)) return;
+    }
+    mesh_.move(v, start, facet);
   }
 
   double lossOnLine(Vertex v) const {
@@ -141,7 +139,8 @@ class StarSmoothing {
   void smoothOnLine(Vertex v) {
     const FacetedMesh::Reach reach = mesh_.reach(v);
     const double low = std::min(reach.from, reach.to), high = std::max(reach.from, reach.to);
-    double best = reach.at, least = lossOnLine(v);
+    const double before = lossOnLine(v);
+    double best = reach.at, least = before;
     searchPattern([&](double step) {
       const double start = best;
       for (const double way : {step, -step}) {
@@ -153,8 +152,12 @@ class StarSmoothing {
       }
       return best != start;
     });
-    mesh_.slide(v, best);
-    if (!isDeep_ && hasDeepSpoke(v)) mesh_.slide(v, reach.at);
+    for (const double share : kSharesOfWay) {
+      mesh_.slide(v, reach.at + share * (best - reach.at));
+      if (share < 1 && !(lossOnLine(v) < before)) continue;
+      if (isDeep_ || !hasDeepSpoke(v)) return;
+    }
+    mesh_.slide(v, reach.at);
   }
 
   FacetedMesh& mesh_;
@@ -167,11 +170,21 @@ class StarSmoothing {
 
 }  // namespace
 
-void smoothFacets(FacetedMesh& mesh) {
+// Opposite to the shortest side.
+double smallestAngle(const Vec2& a, const Vec2& b, const Vec2& c) {
+  std::array<Vec2, 3> sides = {b - a, c - b, a - c};
+  const auto isShorter = [](const Vec2& s, const Vec2& t) {
+    return s.squaredNorm() < t.squaredNorm();
+  };
+  std::rotate(sides.begin(), std::min_element(sides.begin(), sides.end(), isShorter), sides.end());
+  return angleOf(cross(sides[1], sides[2]), -sides[1].dot(sides[2]));
+}
+
+void smoothFacets(FacetedMesh& mesh, int passes) {
   const HalfedgeMesh& m = mesh.mesh();
   for (const Aim aim : {Aim::Round, Aim::Wide}) {
     StarSmoothing star(mesh, aim);
-    for (int pass = 0; pass < kPasses; ++pass) {
+    for (int pass = 0; pass < passes; ++pass) {
       for (Index i = 0; i < m.vertexCapacity(); ++i)
         if (m.isAlive(Vertex(i)) && mesh.role(Vertex(i)) != FacetRole::Corner)
           star.smooth(Vertex(i));

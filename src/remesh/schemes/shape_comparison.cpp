@@ -2,6 +2,7 @@
 #include "remesh/schemes/shape_comparison.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <utility>
@@ -42,11 +43,12 @@ constexpr double kInsteadOfPoor = 2, kInsteadOfNeedles = 4;
 constexpr double kNeedlesMean = 30, kNeedlesLeast = 5;
 // Edges of unrolled facets may be farther away by this factor, because vertices move to the other
 // side. By how much wider, in degrees on average, angles must be that are not well shaped either.
+constexpr std::array<double, 4> kUnrolled = {0.8, 1.2, kInsteadOfPoor, kInsteadOfNeedles};
 constexpr double kChord = 1.25, kMuchWider = 10;
 constexpr double kMostOfVolume = 1e-3, kMostOfEdges = 0.98, kNearEdge = 3;
 // By how much less, in degrees on average, the angles of a mesh of facets may be: its shape is
-// exact.
-constexpr double kHardlyLess = 2;
+// exact. From kFineFacets on they are wide enough whatever others are.
+constexpr double kHardlyLess = 2, kFineFacets = 50;
 
 // Whether nothing is drawn on the surface: there isotropic triangles are worth more than half a
 // pixel.
@@ -247,7 +249,8 @@ void ShapeComparison::unrollFacets() {
   const BuiltMesh& built = original_.surface().built();
   const AngleQuality facets = qualityOf(conforming_->mesh);
   const double most = facets.hasNeedles() ? kInsteadOfNeedles : kInsteadOfPoor;
-  for (double farthest = 1; farthest <= most; farthest *= 2) {
+  for (const double farthest : kUnrolled) {
+    if (farthest > most) return;
     const double depth = kChord * farthest * unseen_;
     std::optional<Followed> made = conformed(built, input_, original_.places(), textures_, depth);
     if (!made) continue;
@@ -281,7 +284,8 @@ bool ShapeComparison::isConformingBetter(const WorkingMesh& isotropic) {
   if (!mayConform(isotropic) || !conforming()) return false;
   if (isSeen(isotropic)) return !isIsotropicInstead(isotropic);
   if (isUnrolled()) return false;
-  return qualityOf(conforming()->mesh).mean >= qualityOf(isotropic).mean - kHardlyLess;
+  const double facets = qualityOf(conforming()->mesh).mean;
+  return facets >= kFineFacets || facets >= qualityOf(isotropic).mean - kHardlyLess;
 }
 
 bool ShapeComparison::isIsotropicInstead(const WorkingMesh& isotropic) {
