@@ -13,6 +13,7 @@
 #include "jobs/open_number.h"
 #include "measure/hausdorff.h"
 #include "measure/mesh_report.h"
+#include "mesh/mesh_builder.h"
 #include "remesh/schemes/shape_comparison.h"
 
 namespace remesher {
@@ -27,6 +28,8 @@ constexpr double kFewSmall = 0.001;
 constexpr double kFewVertices = 2000;
 constexpr double kGains = 1.5;
 constexpr int kDigitsAway = 2;  // of a distance in a message
+// Triangles that keep the angle of a part may be away by so many distances that are just not seen.
+constexpr double kMostSeen = 4;
 
 // The share of the triangles that have smaller angles.
 double missedIn(const RemeshOutcome& made) {
@@ -35,16 +38,19 @@ double missedIn(const RemeshOutcome& made) {
 
 bool keepsAngle(const RemeshOutcome& made) { return missedIn(made) <= kFewSmall; }
 
+bool hasAngle(const RemeshOutcome& made, double angle) {
+  return inspectMesh(made.mesh).minAngle.worst >= angle;
+}
+
+RemeshOptions withoutAngle(RemeshOptions options) {
+  options.minAngle.reset();
+  return options;
+}
+
 // The largest distance, both ways, over one that is just not seen.
 double seenAway(const TriangleMesh& input, const RemeshOutcome& made) {
   const DeviationBothWays found = measureDeviation(input, made.mesh, Maximum::Sampled);
   return std::max(found.toResult.maximum, found.toOriginal.maximum) / (kSeen * found.diagonal);
-}
-
-Warning moreForAngle(std::size_t vertices, std::size_t own) {
-  return {"MORE_VERTICES_TAKEN", "No number of vertices was given: a mesh of " +
-                                     std::to_string(own) + " has " + std::to_string(vertices) +
-                                     " now, which the smallest angle that is wanted takes."};
 }
 
 // away: as seenAway gives it.
@@ -57,19 +63,41 @@ Warning awayForAngle(double away) {
 
 }  // namespace
 
+Warning moreForAngle(std::size_t vertices, std::size_t own) {
+  return {"MORE_VERTICES_TAKEN", "No number of vertices was given: a mesh of " +
+                                     std::to_string(own) + " has " + std::to_string(vertices) +
+                                     " now, which the smallest angle that is wanted takes."};
+}
+
 bool leadsByAngle(const RemeshOptions& options) {
   return options.minAngle && !hasNumber(options) && !asksForFewest(options) &&
          options.bodies.empty();
 }
 
+bool limitsAngle(const RemeshOptions& options) {
+  return options.minAngle && !options.minEdge && !options.maxEdge && hasNumber(options) &&
+         options.prefer == Prefer::Auto && options.scheme == Scheme::Best && !options.quads &&
+         !options.maxError && options.bodies.empty();
+}
+
+RemeshOutcome remeshAtAngle(const TriangleMesh& input, Welding welding,
+                            const RemeshOptions& options, const Progress& progress) {
+  if (!isFaceted(buildMesh(input)))
+    return remeshSurface(input, std::move(welding), options, progress);
+  RemeshOutcome own = remeshSurface(input, welding, withoutAngle(options), progress);
+  if (hasAngle(own, *options.minAngle)) return own;
+  RemeshOutcome limited = remeshSurface(input, std::move(welding), options, progress.part(1, 1));
+  const bool isDented = own.prefer == Prefer::Shape && seenAway(input, limited) > kMostSeen;
+  return isDented ? std::move(own) : std::move(limited);
+}
+
 RemeshOutcome remeshToAngle(const TriangleMesh& input, Welding welding,
                             const RemeshOptions& options, const Progress& progress) {
-  RemeshOptions unlimited = options;
-  unlimited.minAngle.reset();
+  const RemeshOptions unlimited = withoutAngle(options);
   RemeshOutcome made = leavesNumberOpen(unlimited)
                            ? remeshAtOpenNumber(input, welding, unlimited, progress)
                            : remeshSurface(input, welding, unlimited, progress);
-  if (inspectMesh(made.mesh).minAngle.worst >= *options.minAngle) return made;
+  if (hasAngle(made, *options.minAngle)) return made;
   const bool hasShape = made.prefer == Prefer::Shape;
   const std::size_t own = countPlaces(input.positions);
   const double most = std::max(kMostTimes * double(own), kMostOfSmall);
@@ -79,6 +107,15 @@ RemeshOutcome remeshToAngle(const TriangleMesh& input, Welding welding,
   double nearest = kInfinity, missed = kInfinity;
   for (double next = double(made.vertices); next <= most; next *= 2) {
     numbered.vertices = Index(next);
+    if (hasShape) {
+      RemeshOutcome same =
+          remeshSurface(input, welding, withoutAngle(numbered), progress.part(1, 1));
+      if (same.prefer == Prefer::Shape && hasAngle(same, *options.minAngle)) {
+        best = std::move(same);
+        nearest = 0;
+        break;
+      }
+    }
     RemeshOutcome more = remeshSurface(input, welding, numbered, progress.part(1, 1));
     const double before = std::exchange(missed, missedIn(more));
     const double away = hasShape ? seenAway(input, more) : 0;

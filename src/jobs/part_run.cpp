@@ -53,6 +53,7 @@ RemeshOptions optionsFor(const PartTarget& target) {
 RemeshOutcome remeshPart(PartInput part, const RemeshOptions& options, const Progress& progress) {
   const Run remeshed = asksForFewest(options)      ? Run(remeshToFewest)
                        : leadsByAngle(options)     ? Run(remeshToAngle)
+                       : limitsAngle(options)      ? Run(remeshAtAngle)
                        : leavesNumberOpen(options) ? Run(remeshAtOpenNumber)
                                                    : Run(remeshSurface);
   return runOn(std::move(part), remeshed, options, progress);

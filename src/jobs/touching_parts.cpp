@@ -15,6 +15,7 @@
 #include "geometry/triangle.h"
 #include "io/model/appending.h"
 #include "io/model/bake.h"
+#include "jobs/angle_number.h"
 #include "jobs/body_parts.h"
 #include "jobs/checks/result_check.h"
 #include "jobs/inspected_parts.h"
@@ -34,6 +35,9 @@ namespace {
 constexpr double kStepsOff = 4;
 // The longest edges within faces that touch others, in lengths of edges between faces.
 constexpr double kWithin = 2;
+// A smallest angle of every triangle takes edges between faces that are no longer than those of a
+// mesh of so many vertices.
+constexpr double kFewestOfAngle = 500;
 // What is no farther apart than this share of the diagonal nearly touches.
 constexpr double kNearlyTouching = 5e-3;
 
@@ -69,6 +73,7 @@ double junctionLength(const RemeshOptions& options, const ComplexSize& size) {
   double number = size.own * options.ratio.value_or(1);
   if (options.vertices) number = double(*options.vertices);
   if (options.faces) number = double(*options.faces) / 2;
+  if (leadsByAngle(options)) number = std::max(number, kFewestOfAngle);
   number = std::max(number * size.area / size.whole, 4.0);
   const double length = options.edgeLength.value_or(evenEdgeLength(size.area, number));
   return std::min(std::max(length, shortest), longest);
@@ -222,6 +227,7 @@ void TouchingParts::setParts(const std::vector<char>& isMember, const RemeshOpti
   }
   std::sort(sides_.begin(), sides_.end());
   sides_.erase(std::unique(sides_.begin(), sides_.end()), sides_.end());
+  isLedByAngle_ = leadsByAngle(options);
   const double length = junctionLength(options, size);
   divideJunctions(complex_, {length, options.maxEdge.value_or(kInfinity)});
   divideWithin(complex_, kWithin * length);
@@ -295,6 +301,11 @@ void TouchingParts::finish(std::vector<SceneRun>& runs) const {
   for (const Index v : made.indices) places.push_back(made.positions[v]);
   replaceParts(run, ofPart);
   describe(run, ofPart, countPlaces(places));
+  const std::size_t before = run.report.input.vertices, after = run.report.output->vertices;
+  const bool isSaid = std::any_of(warnings.begin(), warnings.end(), [](const Warning& warning) {
+    return warning.code == "MORE_VERTICES_TAKEN";
+  });
+  if (isLedByAngle_ && !isSaid && after > before) warnings.push_back(moreForAngle(after, before));
 }
 
 void TouchingParts::replaceParts(SceneRun& run,

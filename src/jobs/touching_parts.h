@@ -54,6 +54,7 @@ class TouchingParts {
   std::size_t complexAt_ = 0;         // its number among `parts_`
   std::vector<std::size_t> numbers_;  // per part given that of `parts_`
   std::vector<Warning> warnings_;
+  bool isLedByAngle_ = false;  // the smallest angle that is wanted decides the number of vertices
 };
 
 }  // namespace remesher

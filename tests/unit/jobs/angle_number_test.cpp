@@ -3,8 +3,11 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "measure/hausdorff.h"
 #include "measure/mesh_report.h"
+#include "support/parts.h"
 #include "support/shapes.h"
 
 using namespace remesher;
@@ -51,4 +54,20 @@ TEST_CASE("angle number: a mesh that keeps the angle anyway is the one without t
   const TriangleMesh cube = shapes::cube(1);
   CHECK(made(cube, 30).vertices == 8);
   CHECK(inspectMesh(made(cube, 30).mesh).minAngle.worst == doctest::Approx(45));
+}
+
+TEST_CASE("angle number: with a number of vertices, too, the facets of a part keep its shape") {
+  const TriangleMesh plate = shapes::drilledPlate(8, 0.5);
+  RemeshOptions options = withAngle(20);
+  for (const Index vertices : {120U, 400U}) {
+    CAPTURE(vertices);
+    options.vertices = vertices;
+    REQUIRE(limitsAngle(options));
+    const RemeshOutcome outcome = remeshAtAngle(plate, Welding(plate), options, {});
+    const MeshReport report = inspectMesh(outcome.mesh);
+    CHECK(report.vertices == vertices);
+    CHECK((report.minAngle.worst >= 20) == (vertices == 400));
+    const DeviationBothWays found = measureDeviation(plate, outcome.mesh, Maximum::Sampled);
+    CHECK(std::max(found.toResult.maximum, found.toOriginal.maximum) <= 1e-9 * found.diagonal);
+  }
 }

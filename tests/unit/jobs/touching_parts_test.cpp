@@ -110,6 +110,18 @@ TEST_CASE("conform: bodies share the triangles of their common faces, at the num
   }
 }
 
+TEST_CASE("conform: a smallest angle leads to a number, and to edges between faces that suit it") {
+  for (const TriangleMesh& mesh : {shapes::twoBoxes(), shapes::boxOnPlate()}) {
+    RemeshOptions options;
+    options.conform = true;
+    options.minAngle = 20;
+    const RemeshResult made = remesh(mesh, options);
+    checkBodies(mesh, made);
+    CHECK(made.report.output->minAngle.worst >= 20);
+    CHECK(says(made.report, "MORE_VERTICES_TAKEN"));
+  }
+}
+
 TEST_CASE("conform: borders of common faces stay, however few vertices are asked for") {
   for (const TriangleMesh& mesh : {shapes::shaftInBore(), shapes::eightCubes()}) {
     const RemeshResult made = remesh(mesh, conforming(90));
