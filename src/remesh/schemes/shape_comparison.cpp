@@ -110,6 +110,33 @@ std::optional<Followed> divided(Followed followed, std::size_t places, std::size
   return followed;
 }
 
+// About the diagonal: three standard deviations of the surface about its middle. It is the same for
+// turned copies, whose bounding boxes may be half as large again, and for other tessellations.
+double spreadOf(const BuiltMesh& built) {
+  constexpr double kDeviations = 3;
+  const auto cornersAt = [&](Face f, const Vec3& origin) {
+    const auto [a, b, c] = built.mesh.vertices(f);
+    const auto& p = built.positions;
+    return Triangle{p[a] - origin, p[b] - origin, p[c] - origin};
+  };
+  Vec3 middle = Vec3::Zero();
+  double total = 0, squares = 0;
+  for (Index i = 0; i < built.mesh.faceCapacity(); ++i) {
+    const auto [a, b, c] = cornersAt(Face(i), Vec3::Zero());
+    const double own = area(a, b, c);
+    middle += own / 3 * (a + b + c);
+    total += own;
+  }
+  if (!(total > 0)) return 0;
+  middle /= total;
+  for (Index i = 0; i < built.mesh.faceCapacity(); ++i) {
+    const auto [a, b, c] = cornersAt(Face(i), middle);
+    squares += area(a, b, c) / 12 *
+               (a.squaredNorm() + b.squaredNorm() + c.squaredNorm() + (a + b + c).squaredNorm());
+  }
+  return kDeviations * std::sqrt(squares / total);
+}
+
 bool keepsVolume(const Surface& original, const Surface& made) {
   return std::abs(changeOfVolume(original, made)) <= kMostOfVolume;
 }
@@ -249,9 +276,10 @@ void ShapeComparison::unrollFacets() {
   const BuiltMesh& built = original_.surface().built();
   const AngleQuality facets = qualityOf(conforming_->mesh);
   const double most = facets.hasNeedles() ? kInsteadOfNeedles : kInsteadOfPoor;
+  const double unseen = kSeen * spreadOf(built);
   for (const double farthest : kUnrolled) {
     if (farthest > most) return;
-    const double depth = kChord * farthest * unseen_;
+    const double depth = kChord * farthest * unseen;
     std::optional<Followed> made = conformed(built, input_, original_.places(), textures_, depth);
     if (!made) continue;
     const AngleQuality quality = qualityOf(made->mesh);
@@ -299,7 +327,8 @@ bool ShapeComparison::keepsPart(const WorkingMesh& isotropic) {
   const AngleQuality facets = qualityOf(conforming()->mesh);
   if (facets.isGood(kGoodFacets) && farthest_ <= kInsteadOfPoor) return false;
   const double most = facets.hasNeedles() ? kInsteadOfNeedles : kInsteadOfPoor;
-  if (awayOf(isotropic).farthest > most * unseen_ || !qualityOf(isotropic).isGood(kGoodIsotropic))
+  const double unseen = kSeen * spreadOf(built);
+  if (awayOf(isotropic).farthest > most * unseen || !qualityOf(isotropic).isGood(kGoodIsotropic))
     return false;
   const Surface original{built.mesh, built.positions};
   const Surface made{isotropic.mesh(), isotropic.positions()};
