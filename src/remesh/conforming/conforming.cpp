@@ -39,7 +39,7 @@ bool isNear(const FacetedMesh& mesh) {
 }
 
 // Whether the vertex lies in an unrolled facet, or on a smooth line between two of them.
-bool mayLift(const FacetedMesh& mesh, Vertex v) {
+bool isLiftable(const FacetedMesh& mesh, Vertex v) {
   if (mesh.role(v) == FacetRole::Corner) return false;
   const HalfedgeMesh& m = mesh.mesh();
   const auto normalOf = [&](Halfedge h) {
@@ -64,7 +64,7 @@ void balance(FacetedMesh& mesh) {
   std::vector<std::pair<Vertex, Vec3>> ways;
   for (Index i = 0; i < m.vertexCapacity(); ++i) {
     const Vertex v(i);
-    if (!m.isAlive(v) || !mayLift(mesh, v)) continue;
+    if (!m.isAlive(v) || !isLiftable(mesh, v)) continue;
     Vec3 sum = Vec3::Zero();
     int chords = 0;
     m.forEachOutgoing(v, [&](Halfedge h) {

@@ -67,7 +67,7 @@ class VertexRemoval {
 
   double lack(Vertex a, Vertex b, Vertex c, Index facet) const {
     return kWidest -
-           smallestAngle(mesh_.flat(a, facet), mesh_.flat(b, facet), mesh_.flat(c, facet));
+           smallestFlatAngle(mesh_.flat(a, facet), mesh_.flat(b, facet), mesh_.flat(c, facet));
   }
 
   std::optional<Way> bestWay(Vertex v) const {
@@ -120,7 +120,7 @@ Angles anglesOf(const FacetedMesh& mesh) {
     const auto [a, b, c] = m.vertices(f);
     const Index facet = mesh.facet(f);
     const double angle =
-        smallestAngle(mesh.flat(a, facet), mesh.flat(b, facet), mesh.flat(c, facet));
+        smallestFlatAngle(mesh.flat(a, facet), mesh.flat(b, facet), mesh.flat(c, facet));
     angles.sum += angle;
     angles.least = std::min(angles.least, angle);
   }

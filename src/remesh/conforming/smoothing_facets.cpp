@@ -65,7 +65,7 @@ class StarSmoothing {
   double lossOf(const Vec2& a, const Vec2& b, const Vec2& c) const {
     if (aim_ == Aim::Round) return thinness(a, b, c);
     if (orient2d(a, b, c) <= 0) return kInfinity;
-    const double angle = smallestAngle(a, b, c);
+    const double angle = smallestFlatAngle(a, b, c);
     return angle < kept_ ? kInfinity : std::numbers::pi / 3 - angle;
   }
 
@@ -80,9 +80,9 @@ class StarSmoothing {
     kept_ = kLeastKept;
     m_.forEachOutgoing(v, [&](Halfedge h) {
       const Index facet = mesh_.facet(m_.face(h));
-      kept_ = std::min(kept_,
-                       kRounded * smallestAngle(mesh_.flat(v, facet), mesh_.flat(m_.tip(h), facet),
-                                                mesh_.flat(m_.opposite(h), facet)));
+      kept_ = std::min(
+          kept_, kRounded * smallestFlatAngle(mesh_.flat(v, facet), mesh_.flat(m_.tip(h), facet),
+                                              mesh_.flat(m_.opposite(h), facet)));
     });
   }
 
@@ -171,7 +171,7 @@ class StarSmoothing {
 }  // namespace
 
 // Opposite to the shortest side.
-double smallestAngle(const Vec2& a, const Vec2& b, const Vec2& c) {
+double smallestFlatAngle(const Vec2& a, const Vec2& b, const Vec2& c) {
   std::array<Vec2, 3> sides = {b - a, c - b, a - c};
   const auto isShorter = [](const Vec2& s, const Vec2& t) {
     return s.squaredNorm() < t.squaredNorm();

@@ -12,6 +12,6 @@ inline constexpr int kSmoothingPasses = 4;
 void smoothFacets(FacetedMesh& mesh, int passes = kSmoothingPasses);
 
 // The smallest angle of a triangle in a plane, in radians.
-double smallestAngle(const Vec2& a, const Vec2& b, const Vec2& c);
+double smallestFlatAngle(const Vec2& a, const Vec2& b, const Vec2& c);
 
 }  // namespace remesher

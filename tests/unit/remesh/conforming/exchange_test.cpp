@@ -29,7 +29,7 @@ Found anglesIn(const FacetedMesh& mesh) {
     const auto [a, b, c] = m.vertices(Face(i));
     const Index facet = mesh.facet(Face(i));
     const double angle =
-        degrees(smallestAngle(mesh.flat(a, facet), mesh.flat(b, facet), mesh.flat(c, facet)));
+        degrees(smallestFlatAngle(mesh.flat(a, facet), mesh.flat(b, facet), mesh.flat(c, facet)));
     found.mean += angle / double(m.faceCount());
     found.least = std::min(found.least, angle);
   }
