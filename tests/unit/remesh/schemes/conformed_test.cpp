@@ -201,18 +201,3 @@ TEST_CASE("conformed: round bodies are not made of facets and are never meshed s
   CHECK(remeshed(shapes::icosphere(8), 700, Prefer::Auto).chosen.rule != "facets-conforming");
   CHECK(remeshed(cup(), 200, Prefer::Auto).chosen.rule == "facets-conforming");
 }
-
-TEST_CASE("conformed: a turned copy gets the mesh of the part, however large its bounding box") {
-  const TriangleMesh tube = turnedAbout({{8, 0}, {10, 0}, {10, 30}, {8, 30}}, 48);
-  for (const Index vertices : {1000U, 1600U}) {
-    CAPTURE(vertices);
-    const RemeshOutcome made = remeshed(tube, vertices, Prefer::Auto);
-    const MeshReport own = inspectMesh(made.mesh);
-    TriangleMesh turned = tube;
-    const Eigen::AngleAxisd turn(0.9, Vec3(3, 2, 1).normalized());
-    for (Vec3& p : turned.positions) p = turn * p;
-    const RemeshOutcome other = remeshed(turned, vertices, Prefer::Auto);
-    CHECK(other.chosen.rule == made.chosen.rule);
-    CHECK(std::abs(inspectMesh(other.mesh).minAngle.mean - own.minAngle.mean) < 1);
-  }
-}
