@@ -69,8 +69,10 @@ void balance(FacetedMesh& mesh) {
     int chords = 0;
     m.forEachOutgoing(v, [&](Halfedge h) {
       const Vertex w = m.tip(h);
-      sum += mesh.halfway(v, w, mesh.facet(m.face(h))) -
-             0.5 * (mesh.positions()[v] + mesh.positions()[w]);
+      const Vec3 gap = mesh.halfway(v, w, mesh.facet(m.face(h))) -
+                       0.5 * (mesh.positions()[v] + mesh.positions()[w]);
+      // Where a facet ends between the two, the way between them is another.
+      if (gap.norm() <= mesh.depth()) sum += gap;
       ++chords;
     });
     ways.emplace_back(v, sum / chords);

@@ -54,6 +54,8 @@ class FacetedMesh {
   Vec3 halfway(Vertex a, Vertex b, Index facet) const;
   // Moves a vertex off the original. Its place there stays the same.
   void lift(Vertex v, const Vec3& way) { positions_[v] += way; }
+  // How far edges through unrolled facets may be from them.
+  double depth() const { return depth_; }
   // Whether an edge through the facet would be farther from it than it may be.
   bool isDeep(Vertex a, Vertex b, Index facet) const;
   // 1 if the triangle is counterclockwise in the plane, as those of the original are.

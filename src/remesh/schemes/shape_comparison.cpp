@@ -281,7 +281,7 @@ void ShapeComparison::unrollFacets() {
     if (farthest > most) return;
     const double depth = kChord * farthest * unseen;
     std::optional<Followed> made = conformed(built, input_, original_.places(), textures_, depth);
-    if (!made) continue;
+    if (!made || made->away.farthest > 2 * depth) continue;
     const AngleQuality quality = qualityOf(made->mesh);
     // Narrow angles between lines are the part's own.
     if (quality.least < std::min(kGoodLeast, facets.least)) continue;
