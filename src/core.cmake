@@ -270,6 +270,9 @@ set(small
   src/remesh/quads/field/singularities.cpp
   src/remesh/quads/map/cut.cpp
   src/remesh/quads/map/integer_rows.cpp
+  src/remesh/quads/map/loop_search.cpp
+  src/remesh/quads/map/map_loops.cpp
+  src/remesh/quads/map/near_passes.cpp
   src/remesh/quads/map/rounding.cpp
   src/remesh/quads/map/seamless_map.cpp
   src/remesh/quads/map/seamless_system.cpp

@@ -166,6 +166,9 @@ add_executable(unit_tests
   tests/unit/remesh/quads/field/guide_directions_test.cpp
   tests/unit/remesh/quads/map/cut_test.cpp
   tests/unit/remesh/quads/map/integer_rows_test.cpp
+  tests/unit/remesh/quads/map/loop_search_test.cpp
+  tests/unit/remesh/quads/map/map_loops_test.cpp
+  tests/unit/remesh/quads/map/near_passes_test.cpp
   tests/unit/remesh/quads/map/rounding_test.cpp
   tests/unit/remesh/quads/map/seamless_map_test.cpp
   tests/unit/remesh/quads/map/seamless_system_test.cpp

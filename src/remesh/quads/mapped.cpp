@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/fires.h"
+#include "geometry/quad.h"
 #include "mesh/quad_loops.h"
 #include "remesh/quads/extract/closing.h"
 #include "remesh/quads/extract/extraction.h"
@@ -49,6 +50,13 @@ constexpr double kHopeless = 0.2;
 // at, whose scales differ by kMoreStep, for one whose longest loop is clearly shorter.
 constexpr double kLongLoop = 0.25, kMoreStep = 0.002, kShorter = 0.9;
 constexpr int kMoreMaps = 24;
+// Where loops wind farther than this, other integers are looked for; so many maps of these are
+// extracted at most.
+constexpr double kWinding = 0.3;
+constexpr std::size_t kMostClosed = 4;
+// Their quads may be farther from the surface, and their corners from right angles, by these
+// factors; and corners have at least this sine, or that of the worst one before.
+constexpr double kHardlyFarther = 1.05, kHardlySkewer = 1.15, kSoundSine = 0.3;
 
 // A connected part, and what its map is made on.
 struct Domain {
@@ -61,14 +69,16 @@ struct Domain {
 
 struct Extracted {
   QuadMesh quads;
-  double faults = 0;  // curves that are not followed, and unsound quads
+  Eigen::VectorXd wholes = {};  // the map's integer variables
+  double length = 0;            // and its scale
+  double faults = 0;            // curves that are not followed, and unsound quads
   // By how much χ differs, and 1 if the kind of surface does, and 1 if the border is torn.
   std::size_t lost = 1;
 };
 // The quads of a map.
 Extracted extracted(const Domain& domain, const SeamlessMap& map) {
   const WorkingMesh& part = domain.part;
-  Extracted made{extractQuads(domain.simpler.mesh, map)};
+  Extracted made{extractQuads(domain.simpler.mesh, map), map.wholes, map.length};
   QuadMesh& quads = made.quads;
   dropUnsound(quads);
   if (quads.quads.empty()) return made;
@@ -210,6 +220,68 @@ void shortenLoops(Extracted& made, const Domain& domain, const MapMaker& maker, 
   if (best) made = std::move(*best);
 }
 
+// How far loops wind: the share of the longest, and that of the quads in which one crosses itself.
+double windingOf(const QuadMesh& mesh) {
+  const QuadLoops loops = loopsOf(mesh.quads.size(), sidesByEdge(mesh.quads));
+  return double(loops.longest) / double(loops.edges) +
+         double(loops.selfCrossing) / double(mesh.quads.size());
+}
+
+// How far corners are from right angles, by the cosine, and the sine of the worst one.
+struct CornerAngles {
+  double meanCosine = 0, leastSine = 1;
+};
+
+CornerAngles cornerAngles(const QuadMesh& mesh) {
+  CornerAngles found;
+  for (const Four<Index>& quad : mesh.quads) {
+    Quad corners{};
+    for (std::size_t i = 0; i < 4; ++i) corners[i] = mesh.position(quad[i]);
+    found.leastSine = std::min(found.leastSine, leastSine(corners));
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Vec3 out = corners[(i + 1) % 4] - corners[i], in = corners[(i + 3) % 4] - corners[i];
+      found.meanCosine += std::abs(out.dot(in)) / (kTie + out.norm() * in.norm());
+    }
+  }
+  found.meanCosine /= 4 * double(mesh.quads.size());
+  return found;
+}
+
+// Whether one map's quads are about as good as the other's.
+bool isAsSquare(const QuadMesh& one, const QuadMesh& other) {
+  const CornerAngles a = cornerAngles(one), b = cornerAngles(other);
+  return a.meanCosine <= kHardlySkewer * b.meanCosine &&
+         a.leastSine >= std::min(b.leastSine, kSoundSine);
+}
+
+// Looks for a map of the same scale with other integers whose loops are clearly shorter.
+void closeLoops(Extracted& made, const Domain& domain, const MapMaker& maker, double vertices) {
+  const double winding = windingOf(made.quads);
+  if (made.faults > 0 || winding <= kWinding || maker.isSpent()) return;
+  const std::size_t irregular = irregularCount(made.quads);
+  const double mostAway =
+      std::max(kMostAway, kHardlyFarther * domain.distance.sidesAway(made.quads));
+  SeamlessMap start;
+  start.wholes = made.wholes;
+  start.length = made.length;
+  const std::vector<Eigen::VectorXd> found =
+      maker.withShorterLoops(start, vertices - double(domain.simpler.added), kCountTolerance);
+  for (std::size_t i = 0; i < std::min(found.size(), kMostClosed); ++i) {
+    const auto map = maker.mapOf(found[i], made.length);
+    if (!map) continue;
+    Extracted one = extracted(domain, *map);
+    const bool isSame = one.lost == 0 && one.faults == 0;
+    if (!isSame || irregularCount(one.quads) > irregular) continue;
+    if (countError(double(one.quads.vertices.size()), vertices) > kCountTolerance) continue;
+    shape(one.quads, domain.part);
+    if (faultsOf(one.quads, domain.part) > 0 || irregularCount(one.quads) > irregular) continue;
+    if (windingOf(one.quads) >= kShorter * winding || !isAsSquare(one.quads, made.quads)) continue;
+    if (domain.distance.sidesAway(one.quads) > mostAway) continue;
+    made = std::move(one);
+    return;
+  }
+}
+
 QuadMesh quadsOf(const Domain& domain, double vertices, SizeMaker& sizesOn) {
   const WorkingMesh &part = domain.part, &closed = domain.simpler.mesh;
   const double length = std::sqrt(areaOf(part) / vertices);
@@ -239,7 +311,10 @@ QuadMesh quadsOf(const Domain& domain, double vertices, SizeMaker& sizesOn) {
     std::optional<Extracted> even = searchScale(domain, maker, vertices, kSteps);
     if (even && (!found || found->faults > 0 || isGood(*even))) found = std::move(even);
   }
-  if (found && !isTorn) shortenLoops(*found, domain, maker, vertices);
+  if (found && !isTorn) {
+    shortenLoops(*found, domain, maker, vertices);
+    closeLoops(*found, domain, maker, vertices);
+  }
   return found ? std::move(found->quads) : QuadMesh{};
 }
 

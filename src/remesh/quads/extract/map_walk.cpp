@@ -3,14 +3,6 @@
 
 namespace remesher {
 
-namespace {
-
-Transition after(const Transition& first, const Transition& second) {
-  return {(first.turn + second.turn) % 4, second(first.shift)};
-}
-
-}  // namespace
-
 bool MapWalk::isIn(const MapPlace& place) const {
   for (int corner = 0; corner < 3; ++corner) {
     const Halfedge h = HalfedgeMesh::halfedge(place.face, corner);

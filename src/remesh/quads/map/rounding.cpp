@@ -137,39 +137,39 @@ void Rounding::aim(const Eigen::VectorXd& right) {
 }
 
 // Solves with the part of the factor that belongs to the reals.
-Eigen::VectorXd Rounding::solveReals(Eigen::VectorXd right) const {
+template <class Right>
+void Rounding::solveReals(Right& right) const {
   const Sparse& lower = factor_.matrixL().nestedExpression();
   const auto forBelow = [&](Eigen::Index column, auto visit) {
     for (Sparse::InnerIterator it(lower, column); it; ++it)
       if (it.row() > column && it.row() < reals_) visit(it.row(), it.value());
   };
-  for (Eigen::Index i = 0; i < right.size(); ++i)
-    forBelow(i, [&](Eigen::Index row, double value) { right[row] -= value * right[i]; });
-  right.array() /= factor_.vectorD().head(reals_).array();
-  for (Eigen::Index i = right.size(); i > 0; --i)
-    forBelow(i - 1, [&](Eigen::Index row, double value) { right[i - 1] -= value * right[row]; });
-  return right;
+  for (Eigen::Index i = 0; i < reals_; ++i)
+    forBelow(i, [&](Eigen::Index row, double value) { right.row(row) -= value * right.row(i); });
+  const Eigen::VectorXd diagonal = factor_.vectorD();
+  for (Eigen::Index i = 0; i < reals_; ++i) right.row(i) /= diagonal[i];
+  for (Eigen::Index i = reals_; i > 0; --i)
+    forBelow(i - 1,
+             [&](Eigen::Index row, double value) { right.row(i - 1) -= value * right.row(row); });
 }
 
-double Rounding::sumOf(std::size_t required, const Eigen::VectorXd& values) const {
+double Rounding::valueOf(const IntegerSum& terms, const Eigen::VectorXd& wholes) const {
   double sum = 0;
-  for (const auto& [variable, coefficient] : required_[required])
-    sum += coefficient * values[variable - reals_];
+  for (const auto& [variable, coefficient] : terms) sum += coefficient * wholes[variable - reals_];
   return sum;
 }
 
 // The variables of a sum and those that move most with it, beside how far they move by chance.
-std::vector<int> Rounding::allNear(std::size_t required, std::size_t count) const {
+std::vector<int> Rounding::allNear(const IntegerSum& sum, std::size_t count) const {
   Eigen::VectorXd along = Eigen::VectorXd::Zero(wholes_);
-  for (const auto& [variable, coefficient] : required_[required])
+  for (const auto& [variable, coefficient] : sum)
     along += coefficient * inverse_.col(variable - reals_);
   along.array() /= inverse_.diagonal().array().sqrt();
   std::vector<int> all = all_;
   const auto isNearer = [&](int a, int b) { return std::abs(along[a]) > std::abs(along[b]); };
   std::stable_sort(all.begin(), all.end(), isNearer);
   all.resize(std::min(all.size(), count));
-  for (const auto& [variable, coefficient] : required_[required])
-    all.push_back(int(variable - reals_));
+  for (const auto& [variable, coefficient] : sum) all.push_back(int(variable - reals_));
   return all;
 }
 
@@ -206,36 +206,41 @@ Minimum Rounding::minimumOf(const Wholes& wholes, const std::vector<int>& some) 
   return {some, std::move(values), std::move(own)};
 }
 
-// Pulls sums to what is wanted of them, by the variables of the minimum.
-void Rounding::pull(Minimum& minimum, const Wholes& wholes) const {
-  // One over the weight, beside weights of about 1.
-  constexpr double kYield = 1e-3;
+// Pulls a sum to what is wanted of it, by the variables of the minimum.
+void Rounding::pullOne(Minimum& minimum, const Wholes& wholes, const IntegerSum& sum, int wanted,
+                       double yield) const {
   std::vector<int> places(std::size_t(wholes_), -1);
   for (Eigen::Index i = 0; i < minimum.count(); ++i)
     places[std::size_t(minimum.variable(i))] = int(i);
-  for (std::size_t k = 0; k < required_.size(); ++k) {
-    const auto placeOf = [&](const auto& term) { return places[term.first - Index(reals_)]; };
-    const auto isOne = [&](const auto& term) { return placeOf(term) >= 0; };
-    const IntegerSum& sum = required_[k];
-    if (wholes.wanted[k] == 0 || std::none_of(sum.begin(), sum.end(), isOne)) continue;
-    double lack = wholes.wanted[k], spread = kYield;
-    Eigen::VectorXd along = Eigen::VectorXd::Zero(minimum.count());
-    for (const auto& term : sum) {
-      const int place = placeOf(term);
-      lack -= term.second * (place < 0 ? wholes.values[term.first - reals_] : minimum.value(place));
-      if (place >= 0) along += term.second * minimum.column(place);
-    }
-    for (const auto& term : sum)
-      if (isOne(term)) spread += term.second * along[placeOf(term)];
-    minimum.move(along, lack, spread);
+  const auto placeOf = [&](const auto& term) { return places[term.first - Index(reals_)]; };
+  const auto isOne = [&](const auto& term) { return placeOf(term) >= 0; };
+  if (std::none_of(sum.begin(), sum.end(), isOne)) return;
+  double lack = wanted, spread = yield;
+  Eigen::VectorXd along = Eigen::VectorXd::Zero(minimum.count());
+  for (const auto& term : sum) {
+    const int place = placeOf(term);
+    lack -= term.second * (place < 0 ? wholes.values[term.first - reals_] : minimum.value(place));
+    if (place >= 0) along += term.second * minimum.column(place);
   }
+  for (const auto& term : sum)
+    if (isOne(term)) spread += term.second * along[placeOf(term)];
+  minimum.move(along, lack, spread);
+}
+
+void Rounding::pull(Minimum& minimum, const Wholes& wholes, std::span<const Wish> wishes) const {
+  // One over the weight, beside weights of about 1.
+  constexpr double kYield = 1e-3, kHardly = 1e-4;
+  for (std::size_t k = 0; k < required_.size(); ++k)
+    if (wholes.wanted[k] != 0) pullOne(minimum, wholes, required_[k], wholes.wanted[k], kYield);
+  for (const Wish& wish : wishes) pullOne(minimum, wholes, wish.sum, wish.value, kHardly);
 }
 
 // Rounds these variables, the one nearest to an integer first; the others move to the new minimum,
 // and so on.
-void Rounding::round(Wholes& wholes, const std::vector<int>& some) const {
+void Rounding::round(Wholes& wholes, const std::vector<int>& some,
+                     std::span<const Wish> wishes) const {
   Minimum minimum = minimumOf(wholes, some);
-  pull(minimum, wholes);
+  pull(minimum, wholes, wishes);
   while (minimum.count() > 0) {
     Eigen::Index nearest = 0;
     double least = 1;
@@ -259,9 +264,9 @@ std::vector<int> Rounding::pullShort(Wholes& wholes) const {
   std::vector<int> near;
   for (std::size_t k = 0; k < required_.size(); ++k) {
     int& wanted = wholes.wanted[k];
-    if (sumOf(k, wholes.values) >= 1 || wanted == kFarthestPull) continue;
+    if (valueOf(required_[k], wholes.values) >= 1 || wanted == kFarthestPull) continue;
     ++wanted;
-    const std::vector<int> around = allNear(k, kNear * std::size_t(wanted));
+    const std::vector<int> around = allNear(required_[k], kNear * std::size_t(wanted));
     near.insert(near.end(), around.begin(), around.end());
   }
   std::sort(near.begin(), near.end());
@@ -276,7 +281,7 @@ Eigen::VectorXd Rounding::roundedWholes(double factor) const {
   const Eigen::VectorXd relaxed = factor * relaxed_;
   Wholes wholes{relaxed, relaxed, std::vector<int>(required_.size(), 0)};
   for (std::size_t k = 0; k < required_.size(); ++k)  // those that would become 0
-    wholes.wanted[k] = std::round(sumOf(k, relaxed)) < 1;
+    wholes.wanted[k] = std::round(valueOf(required_[k], relaxed)) < 1;
   double work = 0;
   for (std::vector<int> some = all_; !some.empty(); some = pullShort(wholes)) {
     if (work > kMostWork) {
@@ -284,19 +289,62 @@ Eigen::VectorXd Rounding::roundedWholes(double factor) const {
       break;
     }
     work += workFor(wholes, some.size());
-    round(wholes, some);
+    round(wholes, some, {});
   }
   work_ += work;
   return wholes.values;
 }
 
-Eigen::VectorXd Rounding::rounded(double factor) const {
-  const Eigen::VectorXd wholes = roundedWholes(factor);
-  const Eigen::VectorXd reals = solveReals(factor * right_.head(reals_) - coupling_ * wholes);
+// Several columns at once: each takes the same way through the factor.
+Eigen::MatrixXd Rounding::response() const {
+  constexpr Eigen::Index kAtOnce = 8;
+  using Block = Eigen::Matrix<double, Eigen::Dynamic, kAtOnce, Eigen::RowMajor>;
+  Eigen::MatrixXd result(reals_, wholes_);
+  Block block(reals_, kAtOnce);
+  for (Eigen::Index first = 0; first < wholes_; first += kAtOnce) {
+    const Eigen::Index count = std::min(kAtOnce, wholes_ - first);
+    block.setZero();
+    for (Eigen::Index c = 0; c < count; ++c) block.col(c) = -coupling_.col(first + c);
+    solveReals(block);
+    for (Eigen::Index i = 0; i < reals_; ++i)
+      result.row(i).segment(first, count) = block.row(order_[i]).head(count);
+  }
+  return result;
+}
+
+std::size_t Rounding::shortSums(const Eigen::VectorXd& wholes) const {
+  std::size_t count = 0;
+  for (const IntegerSum& sum : required_) count += valueOf(sum, wholes) < 0.5;
+  return count;
+}
+
+Eigen::VectorXd Rounding::nudged(const Eigen::VectorXd& now, double factor,
+                                 const Wish& wish) const {
+  constexpr std::size_t kMoved = 12;
+  Wholes wholes{factor * relaxed_, now, std::vector<int>(required_.size(), 0)};
+  std::vector<int> some = allNear(wish.sum, kMoved);
+  std::sort(some.begin(), some.end());
+  some.erase(std::unique(some.begin(), some.end()), some.end());
+  round(wholes, some, {&wish, 1});
+  return wholes.values;
+}
+
+double Rounding::risen(const Eigen::VectorXd& wholes, double factor) const {
+  const Eigen::VectorXd off = wholes - factor * relaxed_;
+  return off.dot(matrix_ * off) / 2;
+}
+
+Eigen::VectorXd Rounding::withReals(const Eigen::VectorXd& wholes, double factor) const {
+  Eigen::VectorXd reals = factor * right_.head(reals_) - coupling_ * wholes;
+  solveReals(reals);
   Eigen::VectorXd result(right_.size());
   for (Eigen::Index i = 0; i < reals_; ++i) result[i] = reals[order_[i]];
   result.tail(wholes_) = wholes;
   return result;
+}
+
+Eigen::VectorXd Rounding::rounded(double factor) const {
+  return withReals(roundedWholes(factor), factor);
 }
 
 }  // namespace remesher

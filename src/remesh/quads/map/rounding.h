@@ -5,6 +5,7 @@
 #pragma once
 
 #include <Eigen/SparseCholesky>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -30,9 +31,36 @@ class Rounding {
   // Sums of integer variables that should be at least 1.
   void require(std::vector<IntegerSum> sums) { required_ = std::move(sums); }
 
+  // A sum of integer variables that should have a value.
+  struct Wish {
+    IntegerSum sum;
+    int value = 0;
+  };
+
   // The solution for the right side times `factor`; integer variables are exact integers. Required
   // sums stay too small where pulling all of them would take too much work.
   Eigen::VectorXd rounded(double factor) const;
+
+  // The solution with these integer variables.
+  Eigen::VectorXd withReals(const Eigen::VectorXd& wholes, double factor) const;
+
+  // How the reals of a solution move with each integer variable.
+  Eigen::MatrixXd response() const;
+
+  // Gives a sum another value: the integer variables that move most with it are rounded anew.
+  Eigen::VectorXd nudged(const Eigen::VectorXd& wholes, double factor, const Wish& wish) const;
+
+  // By how much the quadratic is larger than its minimum over real variables.
+  double risen(const Eigen::VectorXd& wholes, double factor) const;
+
+  // The number of required sums that are too small.
+  std::size_t shortSums(const Eigen::VectorXd& wholes) const;
+
+  // A sum of integer variables, as they are and before rounding.
+  double valueOf(const IntegerSum& sum, const Eigen::VectorXd& wholes) const;
+  double relaxed(const IntegerSum& sum, double factor) const {
+    return factor * valueOf(sum, relaxed_);
+  }
 
   // About as many multiplications as all calls of `rounded` took together.
   double work() const { return work_; }
@@ -42,15 +70,17 @@ class Rounding {
       Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int>>;
 
   struct Wholes;
-  double sumOf(std::size_t required, const Eigen::VectorXd& values) const;
-  std::vector<int> allNear(std::size_t required, std::size_t count) const;
+  std::vector<int> allNear(const IntegerSum& sum, std::size_t count) const;
   double workFor(const Wholes& wholes, std::size_t some) const;
   Minimum minimumOf(const Wholes& wholes, const std::vector<int>& some) const;
-  void pull(Minimum& minimum, const Wholes& wholes) const;
-  void round(Wholes& wholes, const std::vector<int>& some) const;
+  void pullOne(Minimum& minimum, const Wholes& wholes, const IntegerSum& sum, int wanted,
+               double yield) const;
+  void pull(Minimum& minimum, const Wholes& wholes, std::span<const Wish> wishes) const;
+  void round(Wholes& wholes, const std::vector<int>& some, std::span<const Wish> wishes) const;
   std::vector<int> pullShort(Wholes& wholes) const;
   Eigen::VectorXd roundedWholes(double factor) const;
-  Eigen::VectorXd solveReals(Eigen::VectorXd right) const;
+  template <class Right>
+  void solveReals(Right& right) const;
 
   Eigen::Index reals_, wholes_;
   std::vector<int> all_;   // the integer variables, from 0 on

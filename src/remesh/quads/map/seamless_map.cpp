@@ -8,6 +8,7 @@
 
 #include "mesh/topology.h"
 #include "remesh/quads/field/singularities.h"
+#include "remesh/quads/map/loop_search.h"
 #include "remesh/quads/map/spacing.h"
 #include "remesh/quads/map/untangle.h"
 
@@ -54,6 +55,10 @@ bool isExact(const SeamlessMap& map) {
 
 MapPoint Transition::operator()(const MapPoint& p) const { return turned(p, turn) + shift; }
 
+Transition after(const Transition& first, const Transition& second) {
+  return {(first.turn + second.turn) % 4, second(first.shift)};
+}
+
 Transition SeamlessMap::across(const HalfedgeMesh& mesh, Halfedge h) const {
   const MapPoint there = corners[HalfedgeMesh::next(mesh.twin(h))];
   return {turn[h], there - turned(corners[h], turn[h])};
@@ -86,11 +91,29 @@ std::optional<SeamlessMap> MapMaker::map(double length, std::span<const double> 
   for (Index i = system_.realCount(); i < Index(values.size()); ++i)
     mark += std::sqrt(double(i)) * values[i];
   if (std::find(known.begin(), known.end(), mark) != known.end()) return {};
+  std::optional<SeamlessMap> map = unfolded(std::move(values), length);
+  if (map) map->mark = mark;
+  return map;
+}
+
+std::optional<SeamlessMap> MapMaker::mapOf(const Eigen::VectorXd& wholes, double length) const {
+  return unfolded(rounding_->withReals(wholes, 1 / length), length);
+}
+
+std::vector<Eigen::VectorXd> MapMaker::withShorterLoops(const SeamlessMap& map, double vertices,
+                                                        double slack) const {
+  const auto mapOf = [&](const Eigen::VectorXd& values) { return inWholes(values); };
+  return searchShorterLoops({mesh_, singular_, cut_, system_}, *rounding_,
+                            {map.wholes, map.length, mapOf}, {vertices, slack});
+}
+
+std::optional<SeamlessMap> MapMaker::unfolded(Eigen::VectorXd values, double length) const {
   untangle(values, {mesh_, frames_, system_, sizes_, length});
   if (!areBounded(values)) return {};
   SeamlessMap map = inWholes(values);
-  map.mark = mark;
   if (!isExact(map)) return {};
+  map.wholes = values.tail(values.size() - Eigen::Index(system_.realCount()));
+  map.length = length;
   return map;
 }
 
@@ -103,7 +126,9 @@ SeamlessMap MapMaker::inWholes(const Eigen::VectorXd& values) const {
                          ? 2 * Whole(std::floor(values[i] * (double(kUnit) / 2))) + 1
                          : Whole(std::llround(values[i])) * kUnit);
   const HalfedgeMesh& m = mesh_.mesh();
-  SeamlessMap map{HalfedgeData<MapPoint>(m.halfedgeCapacity()), cut_.turn};
+  SeamlessMap map;
+  map.corners = HalfedgeData<MapPoint>(m.halfedgeCapacity());
+  map.turn = cut_.turn;
   const auto valueOf = [&](const IntegerSum& sum) {
     Whole value = 0;
     for (const auto& [variable, coefficient] : sum) value += coefficient * wholes[variable];

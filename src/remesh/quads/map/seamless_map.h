@@ -39,9 +39,14 @@ struct Transition {
   MapPoint operator()(const MapPoint& p) const;
 };
 
+// Both, one after the other.
+Transition after(const Transition& first, const Transition& second);
+
 struct SeamlessMap {
   HalfedgeData<MapPoint> corners;  // per corner: the origin of h in face(h)
   HalfedgeData<int> turn;          // over h; see CutField
+  Eigen::VectorXd wholes;          // the integer variables
+  double length = 0;               // of the quads
   double mark = 0;  // of what was rounded: maps of one surface differ if these differ
 
   Transition across(const HalfedgeMesh& mesh, Halfedge h) const;
@@ -68,6 +73,14 @@ class MapMaker {
   // Folded triangles are unfolded as far as possible.
   std::optional<SeamlessMap> map(double length, std::span<const double> known = {}) const;
 
+  // The same with integer variables of its own.
+  std::optional<SeamlessMap> mapOf(const Eigen::VectorXd& wholes, double length) const;
+
+  // The integer variables of maps like this one whose loops of quads are shorter, the best first.
+  // vertices: of the quads, within the share `slack`.
+  std::vector<Eigen::VectorXd> withShorterLoops(const SeamlessMap& map, double vertices,
+                                                double slack) const;
+
   // Whether all maps together took so much work that no more should be made.
   bool isSpent() const;
 
@@ -78,6 +91,7 @@ class MapMaker {
   double countVertices(const SeamlessMap& map) const;
 
  private:
+  std::optional<SeamlessMap> unfolded(Eigen::VectorXd values, double length) const;
   SeamlessMap inWholes(const Eigen::VectorXd& values) const;
 
   const WorkingMesh& mesh_;

@@ -37,6 +37,11 @@ class SeamlessSystem {
   // u and v of a corner, the origin of h in face(h), by the free variables.
   const std::array<IntegerSum, 2>& corner(Halfedge h) const { return sums_[copies_[h]]; }
 
+  // The copies of vertices that the cut makes: of a corner, their number, and u and v of one.
+  Index copy(Halfedge corner) const { return copies_[corner]; }
+  Index copyCount() const { return copyCount_; }
+  const std::array<IntegerSum, 2>& sumsOf(Index copy) const { return sums_[copy]; }
+
   // The quadratic ½ x·A·x − b·x is least where u and v follow the crosses, for quads of side 1 in
   // model units. For another side length divide b by the length. sizes: per face the side length
   // wanted there beside the others.
