@@ -61,6 +61,10 @@ std::vector<Warning> wantedMissed(const MeshReport&, const std::vector<io::Part>
 }
 
 bool leadsByAngle(const RemeshOptions&) { return false; }
+bool limitsAngle(const RemeshOptions&) { return false; }
+RemeshOutcome remeshAtAngle(const TriangleMesh&, Welding, const RemeshOptions&, const Progress&) {
+  refuse("A smallest angle");
+}
 RemeshOutcome remeshToAngle(const TriangleMesh&, Welding, const RemeshOptions&, const Progress&) {
   refuse("A smallest angle");
 }

@@ -25,11 +25,11 @@ RemeshOutcome remeshAtAngle(const TriangleMesh& input, Welding welding,
 Warning moreForAngle(std::size_t vertices, std::size_t own);
 
 // The mesh that would be made without the limit if it keeps it, also of the numbers below. Else
-// isotropic triangles: of that
-// mesh's number of vertices, or of the first number, each twice the one before, with which hardly
-// any angle is smaller and, if the other mesh has the input's shape, nothing is seen to be away; if
-// none is such, the nearest of those that keep the angle, and SHAPE_TAKES_MORE. Of small parts up
-// to 10,000 are tried, of others four times the input's; the report says what was taken.
+// isotropic triangles: of that mesh's number of vertices, or of the first number, each twice the
+// one before, with which hardly any angle is smaller and, if the other mesh has the input's shape,
+// no place is visibly away; if none is such, the nearest of those that keep the angle, and
+// SHAPE_TAKES_MORE. Of small parts up to 10,000 are tried, of others four times the input's; the
+// report says what was taken.
 RemeshOutcome remeshToAngle(const TriangleMesh& input, Welding welding,
                             const RemeshOptions& options, const Progress& progress);
 

@@ -51,7 +51,7 @@ class LoopSearch {
       for (std::size_t axis = 0; axis < 2; ++axis)
         for (const auto& [variable, x] : system.sumsOf(i)[axis]) {
           const Eigen::Index row = 2 * Eigen::Index(i) + Eigen::Index(axis);
-          if (variable < reals)
+          if (Eigen::Index(variable) < reals)
             moves_.row(row) += x * response.row(variable);
           else
             moves_(row, variable - reals) += x;

@@ -18,7 +18,7 @@ namespace {
 // Coordinates are exact but for this, in quads.
 constexpr double kHairline = 1e-6;
 // A look along a line takes no more triangles.
-constexpr std::size_t kMostSteps = 20000;
+constexpr std::size_t kMostPassed = 20000;
 
 using SumPair = std::array<IntegerSum, 2>;
 
@@ -119,7 +119,7 @@ class PassSearch {
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
     std::set<std::tuple<Index, int, MapPoint>> seen;
     queue.push({0, 0});
-    while (!queue.empty() && steps.size() < kMostSteps) {
+    while (!queue.empty() && steps.size() < kMostPassed) {
       const Index now = queue.top().second;
       queue.pop();
       const Step step = steps[now];

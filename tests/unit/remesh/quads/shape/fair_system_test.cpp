@@ -8,10 +8,10 @@
 using namespace remesher;
 
 TEST_CASE("fair system: what an even sheet has is solved by it, wherever the vertices begin") {
-  constexpr Index kColumns = 12, kRows = 7;
-  const QuadMesh even = shapes::quadSheet(kColumns, kRows, shapes::Wraps::No, shapes::flat);
+  constexpr Index kLong = 12, kWide = 7;
+  const QuadMesh even = shapes::quadSheet(kLong, kWide, shapes::Wraps::No, shapes::flat);
   const QuadMesh start =
-      shapes::quadSheet(kColumns, kRows, shapes::Wraps::No, [](double x, double y) -> Vec3 {
+      shapes::quadSheet(kLong, kWide, shapes::Wraps::No, [](double x, double y) -> Vec3 {
         const double off = int(3 * x + 5 * y) % 4;
         return {x + 2 * off, y - off * off, 0.5 * off};
       });
@@ -28,5 +28,5 @@ TEST_CASE("fair system: what an even sheet has is solved by it, wherever the ver
   for (Index v = 0; v < even.vertices.size(); ++v) system.wantVertex(v, even.position(v));
   const std::vector<Vec3> places = system.solve();
   for (Index v = 0; v < places.size(); ++v)
-    CHECK((places[v] - even.position(v)).norm() < 1e-5 * kColumns);
+    CHECK((places[v] - even.position(v)).norm() < 1e-5 * kLong);
 }
