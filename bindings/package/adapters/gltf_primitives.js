@@ -164,14 +164,12 @@ function newAccessors(document, mesh, vertices, olds) {
   }));
 }
 
-/** Indices, as short as the old ones if possible. @param {Document} document
+/** Indices of 16 bits, or of 8 like the old ones, if that suffices. @param {Document} document
  * @param {Primitive} primitive @param {Uint32Array} triangles @param {number} vertexCount */
 function newIndices(document, primitive, triangles, vertexCount) {
   const old = primitive.getIndices();
-  const wanted = old?.getArray();
-  const Kind = [Uint8Array, Uint16Array].find((Short) =>
-    vertexCount <= 2 ** (8 * Short.BYTES_PER_ELEMENT) - 1
-    && (Short.BYTES_PER_ELEMENT >= (wanted?.BYTES_PER_ELEMENT ?? 2))) ?? Uint32Array;
+  const isByte = old?.getArray() instanceof Uint8Array && vertexCount <= 255;
+  const Kind = vertexCount > 65535 ? Uint32Array : isByte ? Uint8Array : Uint16Array;
   const array = Kind.from(triangles);
   return old ? accessorLike(document, old, array)
     : document.createAccessor().setType('SCALAR').setArray(array)

@@ -189,11 +189,9 @@ function copyTheRest(from, to) {
   if (from.boundingSphere) to.computeBoundingSphere();
 }
 
-/** An index of 32 bits if the model's is, or if needed. @param {BufferGeometry} model
- * @param {Uint32Array} index @param {number} vertexCount */
-function newIndex(model, index, vertexCount) {
-  const isLong = model.index?.array instanceof Uint32Array || vertexCount > 65535;
-  return new BufferAttribute(isLong ? index : Uint16Array.from(index), 1);
+/** Of 32 bits if needed, else of 16. @param {Uint32Array} index @param {number} vertexCount */
+function newIndex(index, vertexCount) {
+  return new BufferAttribute(vertexCount > 65535 ? index : Uint16Array.from(index), 1);
 }
 
 /**
@@ -219,7 +217,7 @@ function newGeometry(model, attributes, pool, sets) {
   const runs = [...sets].map(([group, { materials }]) =>
     ({ materials, corners: pool.triangles.get(group) ?? new Uint32Array() }));
   const index = Uint32Array.from(runs.flatMap(({ corners }) => [...corners]));
-  geometry.setIndex(newIndex(model, index, pool.vertices.length));
+  geometry.setIndex(newIndex(index, pool.vertices.length));
   addGroups(geometry,
     runs.map(({ materials, corners }) => ({ materials, length: corners.length })));
   copyTheRest(model, geometry);

@@ -66,25 +66,3 @@ export function packGlb(tree, chunk) {
   bytes.set(chunk, chunkAt + chunkHeaderBytes);
   return bytes;
 }
-
-/** The tree of a glTF file; undefined if it has none: the engine says what is wrong with it.
- * @param {Uint8Array} bytes @returns {any} */
-export function treeIn(bytes) {
-  try {
-    return JSON.parse(openContainer(bytes).text);
-  } catch {
-    return undefined;
-  }
-}
-
-/**
- * How the geometry of a glTF file is compressed; undefined if it is not.
- * @param {Uint8Array} bytes
- * @returns {'meshopt' | 'draco' | undefined}
- */
-export function compressionIn(bytes) {
-  const { extensionsUsed: used } = Object(treeIn(bytes));
-  if (!Array.isArray(used)) return undefined;
-  if (used.includes('KHR_draco_mesh_compression')) return 'draco';
-  return used.some((name) => /^(EXT|KHR)_meshopt_compression$/.test(name)) ? 'meshopt' : undefined;
-}

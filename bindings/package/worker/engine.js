@@ -257,9 +257,8 @@ async function withPresetSettled(given, compress) {
     : /** @type {typeof given} */ ({ ...given, options: withoutPresetCompression(given.options) });
   if (canBake(job)) {
     const { bytes } = /** @type {FileJob} */ (job).file;
-    const { isWorthBaking } = await import('../base/worth_baking.js');
-    const { treeIn } = await import('../codecs/gltf_container.js');
-    if (!isGltf(bytes) || isWorthBaking(treeIn(bytes), Number(job.options.faces ?? 0))) return job;
+    const { isFileWorthBaking } = await import('../codecs/given_gltf.js');
+    if (!isGltf(bytes) || isFileWorthBaking(bytes, Number(job.options.faces ?? 0))) return job;
   }
   return { ...job, options: withoutPresetBaking(job.options) };
 }
@@ -270,7 +269,7 @@ async function compressionOf(job) {
   const asked = 'options' in job ? job.options?.compress : undefined;
   if (asked !== 'auto') return /** @type {'meshopt' | 'draco' | undefined} */ (asked);
   if (!('file' in job) || !namesGltf(job.file.output) || !isGltf(job.file.bytes)) return undefined;
-  return (await import('../codecs/gltf_container.js')).compressionIn(job.file.bytes);
+  return (await import('../codecs/given_gltf.js')).compressionIn(job.file.bytes);
 }
 
 /** Refuses to compress what is no glTF file. @param {Job} job */
