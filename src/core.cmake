@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-# The core, in lots: what takes the time of a run; what is hardly slower, but smaller, with less
-# inlining; what is done once (planning, writing, reading what describes a model), where size
-# matters more than speed; and the doors to repair, quads and whole steps, which the engine for
-# arrays lacks.
+# The core's source groups: `fast` takes the time of a run; `linear` is hardly slower and smaller with
+# less inlining; `small` runs once (planning, writing, reading descriptions), so size matters more
+# than speed; `whole_only` begins repair, quads and whole steps, for which the engine for arrays has
+# stubs (array_stubs.cpp).
 set(fast
   src/geometry/own_axes.cpp
   src/geometry/polar_map.cpp
@@ -400,7 +400,7 @@ set(small
   src/textures/painting/tangents.cpp
   src/textures/repaint.cpp
 )
-set(doors
+set(whole_only
   src/jobs/angle_number.cpp
   src/jobs/checks/quad_checks.cpp
   src/jobs/checks/wanted_check.cpp
@@ -413,6 +413,6 @@ set(doors
   src/jobs/thinned_parts.cpp
   src/jobs/touching_parts.cpp
   src/remesh/quads/quads.cpp
+  src/remesh/schemes/as_quads.cpp
   src/remesh/schemes/edge_limits.cpp
-  src/remesh/schemes/quads_door.cpp
 )

@@ -12,6 +12,7 @@
 #include "remesh/accuracy/lower_hausdorff.h"
 #include "remesh/quads/mesh/triangulated.h"
 #include "remesh/quads/quads.h"
+#include "remesh/schemes/as_quads.h"
 #include "remesh/schemes/bodies.h"
 #include "remesh/schemes/chooser.h"
 #include "remesh/schemes/conformed.h"
@@ -19,7 +20,6 @@
 #include "remesh/schemes/isotropic.h"
 #include "remesh/schemes/number_note.h"
 #include "remesh/schemes/plan.h"
-#include "remesh/schemes/quads_door.h"
 #include "remesh/schemes/targets.h"
 #include "remesh/transfer/attribute_transfer.h"
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The way to quads of surfaces that have several parts, or that planes mirror. The engine for
-// arrays lacks it; it is compiled for size.
+// Quads of surfaces that have several parts, or that planes mirror. The engine for arrays lacks it.
 #pragma once
 
 #include "remesh/schemes/mirrored.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "remesh/schemes/quads_door.h"
+#include "remesh/schemes/as_quads.h"
 
 #include <optional>
 #include <string>

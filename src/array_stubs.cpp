@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What stands in the engine for arrays where repair, quads and whole steps, which only files have,
-// are in the whole one. Whoever calls a module by way of the package gets the engine that the job
-// needs.
+// Link-time stubs of repair, quads and whole steps for the engine for arrays. The package loads the
+// whole engine for a job that needs one of these.
 #include "base/error.h"
 #include "jobs/angle_number.h"
 #include "jobs/checks/quad_checks.h"
@@ -15,8 +14,8 @@
 #include "jobs/thinned_parts.h"
 #include "jobs/touching_parts.h"
 #include "remesh/quads/quads.h"
+#include "remesh/schemes/as_quads.h"
 #include "remesh/schemes/edge_limits.h"
-#include "remesh/schemes/quads_door.h"
 
 namespace remesher {
 namespace {
