@@ -86,7 +86,7 @@ function typeOf({ name, bytes }) {
   const header = imageHeader(bytes);
   if (header?.type === 'image/ktx2') {
     throw new RemeshError('UNSUPPORTED', `${name} is a KTX2 texture, which cannot be painted from.`,
-      'gltf-transform ktxdecompress makes PNG of KTX2; or keep the textures.');
+      'Convert it to PNG, JPEG or WebP first, or keep the textures.');
   }
   if (!header) {
     throw new RemeshError('UNSUPPORTED', `${name} is neither PNG nor JPEG nor WebP.`,
