@@ -36,4 +36,15 @@ Submesh submeshOf(const TriangleMesh& whole, std::span<const Index> triangles) {
   return part;
 }
 
+void append(TriangleMesh& mesh, const TriangleMesh& more) {
+  const Index offset = Index(mesh.positions.size());
+  mesh.positions.insert(mesh.positions.end(), more.positions.begin(), more.positions.end());
+  for (const Index v : more.indices) mesh.indices.push_back(v + offset);
+  mesh.groups.insert(mesh.groups.end(), more.groups.begin(), more.groups.end());
+  for (std::size_t a = 0; a < mesh.attributes.size(); ++a)
+    mesh.attributes[a].values.insert(mesh.attributes[a].values.end(),
+                                     more.attributes[a].values.begin(),
+                                     more.attributes[a].values.end());
+}
+
 }  // namespace remesher

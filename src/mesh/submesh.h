@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Some triangles of a mesh as a mesh of their own.
+// Some triangles of a mesh as a mesh of their own, and meshes put together again.
 #pragma once
 
 #include <span>
@@ -16,5 +16,8 @@ struct Submesh {
 
 // The triangles come in the order in which they are listed, with their groups and attributes.
 Submesh submeshOf(const TriangleMesh& whole, std::span<const Index> triangles);
+
+// Both with the same attributes, and both with groups or without.
+void append(TriangleMesh& mesh, const TriangleMesh& more);
 
 }  // namespace remesher

@@ -8,6 +8,7 @@
 #include "base/disjoint_sets.h"
 #include "base/fires.h"
 #include "geometry/extent.h"
+#include "measure/self_intersections.h"
 #include "mesh/used_vertices.h"
 #include "repair/ladder.h"
 #include "repair/loose_pieces.h"
@@ -43,6 +44,8 @@ std::optional<United> soundUnion(const TriangleMesh& bodies, std::span<const Ind
     fires("exact repair: the union is not closed");
     return std::nullopt;
   }
+  // All of them: the arrangement looks only beside triangles that it has cut.
+  outside->crossings = selfIntersections(outside->mesh);
   if (double(outside->crossings.size()) > mostLeft * double(crossings.size())) {
     fires("exact repair: the union intersects itself");
     return std::nullopt;
@@ -162,17 +165,6 @@ SelectedTriangles selected(const TriangleMesh& mesh, std::span<const Index> mark
     if (!mesh.groups.empty()) part.mesh.groups.push_back(mesh.groups[t]);
   }
   return part;
-}
-
-void append(TriangleMesh& mesh, const TriangleMesh& more) {
-  const Index offset = Index(mesh.positions.size());
-  mesh.positions.insert(mesh.positions.end(), more.positions.begin(), more.positions.end());
-  for (const Index v : more.indices) mesh.indices.push_back(v + offset);
-  mesh.groups.insert(mesh.groups.end(), more.groups.begin(), more.groups.end());
-  for (std::size_t a = 0; a < mesh.attributes.size(); ++a)
-    mesh.attributes[a].values.insert(mesh.attributes[a].values.end(),
-                                     more.attributes[a].values.begin(),
-                                     more.attributes[a].values.end());
 }
 
 }  // namespace remesher

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/triangle_mesh.h"
+#include "mesh/submesh.h"
 #include "repair/ladder.h"
 
 namespace remesher {
@@ -34,8 +35,5 @@ struct SelectedTriangles {
 
 // The triangles that have this mark.
 SelectedTriangles selected(const TriangleMesh& mesh, std::span<const Index> marks, Index mark);
-
-// Both with the same attributes.
-void append(TriangleMesh& mesh, const TriangleMesh& more);
 
 }  // namespace remesher

@@ -150,12 +150,11 @@ bool unite(ExactRepair& repair, const Diagnosis& diagnosis) {
   }
   repair.lost += 100 * outside->lost;
   repair.mesh = std::move(outside->mesh);
-  if (!sheets.triangles.empty()) {
-    append(repair.mesh, sheets.mesh);
-    repair.isOfCavity.resize(repair.mesh.triangleCount(), 0);
-    keepUsedVertices(repair.mesh);
-  }
-  // All of them: the union itself looks only beside triangles that it has cut.
+  repair.crossings = std::move(outside->crossings);
+  if (sheets.triangles.empty()) return true;
+  append(repair.mesh, sheets.mesh);
+  repair.isOfCavity.resize(repair.mesh.triangleCount(), 0);
+  keepUsedVertices(repair.mesh);
   repair.crossings = selfIntersections(repair.mesh);
   return true;
 }

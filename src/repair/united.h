@@ -30,11 +30,11 @@ struct Operands {
   std::optional<std::vector<Index>> meeting;  // see ArrangementInput
 };
 
-// The boundary of the inside. bodies: closed, facing outwards; triangles without an area are left
-// out. None if the triangles do not bound volumes, or if the work would be out of proportion.
 // Of the wanted triangles those in a list, by their places there. Both ascend.
 std::vector<Index> numbersAmong(std::span<const Index> list, std::span<const Index> wanted);
 
+// The boundary of the inside. bodies: closed, facing outwards; triangles without an area are left
+// out. None if the triangles do not bound volumes, or if the work would be out of proportion.
 std::optional<United> arranged(const TriangleMesh& bodies, const Operands& operands);
 
 // What counts as inside: what a surface goes round counterclockwise, or either way.

@@ -355,18 +355,6 @@ void thinOut(TriangleMesh& mesh, ThinOut wanted) {
   keepUsedVertices(mesh);
 }
 
-void append(TriangleMesh& all, const TriangleMesh& more) {
-  const auto before = Index(all.positions.size());
-  all.positions.insert(all.positions.end(), more.positions.begin(), more.positions.end());
-  for (const Index v : more.indices) all.indices.push_back(before + v);
-  all.groups.insert(all.groups.end(), more.groups.begin(), more.groups.end());
-  for (std::size_t i = 0; i < all.attributes.size(); ++i) {
-    std::vector<float>& values = all.attributes[i].values;
-    const std::vector<float>& its = more.attributes[i].values;
-    values.insert(values.end(), its.begin(), its.end());
-  }
-}
-
 // Each slab is thinned out by itself, with the borders between slabs kept, to so few vertices that
 // all of them can be thinned out at once.
 TriangleMesh thinnedBySlabs(const TriangleMesh& mesh, const ThinOut& wanted) {

@@ -80,12 +80,12 @@ function targetOf(purpose, amount, { diagonal, unit }) {
 
 const ofRepair = ['repair', 'dropBelow'];
 
-/** What the page does to no file that it writes. */
+/** Options of files that the page leaves out: it compresses none that it writes. */
 const ofFiles = ['compress'];
 
 /** The options of a purpose besides its number: those of the package's preset. New textures are
- * painted where they pay. A lighter model keeps its openings and its
- * pieces: to repair it is a purpose of its own, and may cost looks.
+ * baked where they pay. A lighter model keeps its openings and its pieces: to repair it is a
+ * purpose of its own, and may cost looks.
  * @param {Purpose} purpose @param {number} amount @param {Subject} subject @returns {Values} */
 function optionsOf(purpose, amount, { isBaked }) {
   const values = Object.entries(presets.find(({ name }) => name === purpose)?.values ?? {})

@@ -30,9 +30,9 @@ void moveToOrigin(Part& part) {
   const Box box = boxOf(part.mesh);
   const double size = box.diagonal().maxCoeff();
   if (size == 0) return;
-  const double grain = std::ldexp(1.0, std::ilogb(size));
+  const double quantum = std::ldexp(1.0, std::ilogb(size));
   Vec3 center = box.min();
-  for (double& x : center) x = std::round(x / grain) * grain;
+  for (double& x : center) x = std::round(x / quantum) * quantum;
   for (Vec3& position : part.mesh.positions) position -= center;
   for (Transform& place : part.instances) place.translate(center);
 }

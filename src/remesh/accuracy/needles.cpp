@@ -15,12 +15,12 @@ namespace {
 
 double smallestGone(const Run& run, const LocalChange& change) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
-  const Grain& grain = run.asked.rule.grain;
-  double smallest = smallestGoingAngle(run.mesh, change, grain);
+  const Quantum& quantum = run.asked.rule.quantum;
+  double smallest = smallestGoingAngle(run.mesh, change, quantum);
   if (change.operation == Operation::Collapse)
     for (const Halfedge side : {change.halfedge, mesh.twin(change.halfedge)})
       if (side)  // a border has one
-        smallest = std::min(smallest, smallestAngle(run.mesh, HalfedgeMesh::face(side), grain));
+        smallest = std::min(smallest, smallestAngle(run.mesh, HalfedgeMesh::face(side), quantum));
   return smallest;
 }
 
@@ -30,15 +30,16 @@ double smallestGone(const Run& run, const LocalChange& change) {
 double wideningOf(const Run& run, double shift, double least) {
   const FidelityRule& rule = run.asked.rule;
   const LocalChange& change = run.scratch.change;
-  const double gain = smallestComingAngle(run.mesh, change, rule.grain) - smallestGone(run, change);
-  if (gain <= least || flattens(run.mesh, change, rule.grain)) return 0;
+  const double gain =
+      smallestComingAngle(run.mesh, change, rule.quantum) - smallestGone(run, change);
+  if (gain <= least || flattens(run.mesh, change, rule.quantum)) return 0;
   return shiftsBeyond(shift, run.mesh, change) || !rule.guard->allows(change) ? 0 : gain;
 }
 
 // Whether a change leaves no needle.
 bool mends(const Run& run, const BestChange& best) {
   return best.gain > 0 &&
-         !isNeedle(smallestComingAngle(run.mesh, best.change, run.asked.rule.grain));
+         !isNeedle(smallestComingAngle(run.mesh, best.change, run.asked.rule.quantum));
 }
 
 // The shortest step of a corner that leaves no needle; if there is none, that which gains most.
@@ -84,7 +85,7 @@ bool mendNeedles(Run& run) {
   std::vector<Face> all;
   for (Face f(0); f.index < mesh.faceCapacity(); ++f.index) all.push_back(f);
   const auto isBad = [&](Face f) {
-    return mesh.isAlive(f) && isNeedle(smallestAngle(run.mesh, f, run.asked.rule.grain));
+    return mesh.isAlive(f) && isNeedle(smallestAngle(run.mesh, f, run.asked.rule.quantum));
   };
   return mendEach(all, 1, isBad, [&](Face f) { return mendNeedle(run, f); });
 }

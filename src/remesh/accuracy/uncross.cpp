@@ -53,7 +53,7 @@ bool halve(Run& run, Face f) {
   });
   for (const Halfedge side : sides) {
     if (!proposeSplit(run.mesh, run.projector, side, run.scratch.change)) continue;
-    if (flattens(run.mesh, run.scratch.change, run.asked.rule.grain)) continue;
+    if (flattens(run.mesh, run.scratch.change, run.asked.rule.quantum)) continue;
     carryOut(run, run.scratch.change);
     return true;
   }

@@ -11,14 +11,14 @@ namespace remesher {
 
 namespace {
 
-double angleAsWritten(const Triangle& t, const Grain& grain) {
-  return grain.size > 0 && isLine(t, grain) ? 0 : minAngle(t[0], t[1], t[2]);
+double angleAsWritten(const Triangle& t, const Quantum& quantum) {
+  return quantum.size > 0 && isLine(t, quantum) ? 0 : minAngle(t[0], t[1], t[2]);
 }
 
 }  // namespace
 
-double smallestAngle(const WorkingMesh& mesh, Face f, const Grain& grain) {
-  return angleAsWritten(mesh.corners(f), grain);
+double smallestAngle(const WorkingMesh& mesh, Face f, const Quantum& quantum) {
+  return angleAsWritten(mesh.corners(f), quantum);
 }
 
 AngleLimit::AngleLimit(double angle) : angle_(angle) {
@@ -35,9 +35,9 @@ bool AngleLimit::isSurelyBelow(const Vec3& ab, const Vec3& ac) const {
   return ab.cross(ac).squaredNorm() > squaredTangent_ * cosine * cosine;
 }
 
-bool AngleLimit::isAbove(const WorkingMesh& mesh, Face f, const Grain& grain) const {
+bool AngleLimit::isAbove(const WorkingMesh& mesh, Face f, const Quantum& quantum) const {
   const Triangle t = mesh.corners(f);
-  const bool isFlat = grain.size > 0 && isLine(t, grain);
+  const bool isFlat = quantum.size > 0 && isLine(t, quantum);
   return isFlat ||
          (!isSurelyBelow(t[1] - t[0], t[2] - t[0]) && minAngle(t[0], t[1], t[2]) < angle_);
 }
@@ -52,20 +52,21 @@ bool AngleLimit::isAboveAround(const Star& star, const Vec3& center) const {
   return false;
 }
 
-double smallestComingAngle(const WorkingMesh& mesh, const LocalChange& change, const Grain& grain,
-                           double beyond) {
+double smallestComingAngle(const WorkingMesh& mesh, const LocalChange& change,
+                           const Quantum& quantum, double beyond) {
   const auto at = [&](Vertex v) -> const Vec3& { return positionAfter(mesh, change, v); };
   double smallest = kInfinity;
   for (const auto& [a, b, c] : change.coming) {
-    smallest = std::min(smallest, angleAsWritten({at(a), at(b), at(c)}, grain));
+    smallest = std::min(smallest, angleAsWritten({at(a), at(b), at(c)}, quantum));
     if (smallest <= beyond) break;
   }
   return smallest;
 }
 
-double smallestGoingAngle(const WorkingMesh& mesh, const LocalChange& change, const Grain& grain) {
+double smallestGoingAngle(const WorkingMesh& mesh, const LocalChange& change,
+                          const Quantum& quantum) {
   double smallest = kInfinity;
-  for (const Face f : change.going) smallest = std::min(smallest, smallestAngle(mesh, f, grain));
+  for (const Face f : change.going) smallest = std::min(smallest, smallestAngle(mesh, f, quantum));
   return smallest;
 }
 

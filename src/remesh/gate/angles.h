@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The smallest angles, in radians, of the triangles that a change makes or replaces: they decide
-// whether it is worthwhile. With a grain a triangle that is a line as written has angle 0.
+// whether it is worthwhile. With a quantum a triangle that is a line as written has angle 0.
 #pragma once
 
 #include "remesh/gate/fidelity.h"
@@ -19,7 +19,7 @@ inline constexpr double kSliver = radians(8), kPoor = radians(20), kFair = radia
 // Whether a smallest angle is one that the end of repair mends.
 inline bool isNeedle(double smallest) { return smallest < 2 * kSliver; }
 
-double smallestAngle(const WorkingMesh& mesh, Face f, const Grain& grain = {});
+double smallestAngle(const WorkingMesh& mesh, Face f, const Quantum& quantum = {});
 
 // A limit up to 60° for the angles of triangles. Most triangles prove to be above it without
 // computing their angles.
@@ -28,7 +28,7 @@ class AngleLimit {
   explicit AngleLimit(double angle);
 
   // Whether the smallest angle of f is less.
-  bool isAbove(const WorkingMesh& mesh, Face f, const Grain& grain = {}) const;
+  bool isAbove(const WorkingMesh& mesh, Face f, const Quantum& quantum = {}) const;
   // Whether a triangle of the star would have a smaller angle, or a hardly larger one, if the
   // centre were at `center`.
   bool isAboveAround(const Star& star, const Vec3& center) const;
@@ -42,9 +42,9 @@ class AngleLimit {
 // The smallest angle of the triangles that a proposal makes, and of those that it replaces. The
 // search among coming triangles stops at an angle that does not exceed `beyond`.
 double smallestComingAngle(const WorkingMesh& mesh, const LocalChange& change,
-                           const Grain& grain = {}, double beyond = -1);
+                           const Quantum& quantum = {}, double beyond = -1);
 double smallestGoingAngle(const WorkingMesh& mesh, const LocalChange& change,
-                          const Grain& grain = {});
+                          const Quantum& quantum = {});
 
 // The smallest angle of the triangles around v if v were at `position`.
 double smallestAngleAround(const WorkingMesh& mesh, Vertex v, const Vec3& position);

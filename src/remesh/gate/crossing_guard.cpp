@@ -58,8 +58,8 @@ bool passes(const Triangle& stays, const Triangle& moves, const Vec3& q) {
 
 }  // namespace
 
-CrossingGuard::CrossingGuard(const WorkingMesh& mesh, const Grain& grain)
-    : mesh_(mesh), grain_(grain), grid_(0, 0) {
+CrossingGuard::CrossingGuard(const WorkingMesh& mesh, const Quantum& quantum)
+    : mesh_(mesh), quantum_(quantum), grid_(0, 0) {
   enterAll();
 }
 
@@ -75,7 +75,7 @@ NamedTriangle CrossingGuard::present(Face f) const {
   NamedTriangle t;
   for (std::size_t k = 0; k < 3; ++k) {
     t.vertices[k] = v[k].index;
-    t.at[k] = written(mesh_.position(v[k]), grain_);
+    t.at[k] = written(mesh_.position(v[k]), quantum_);
   }
   return t;
 }
@@ -85,7 +85,7 @@ NamedTriangle CrossingGuard::coming(const LocalChange& change,
   NamedTriangle t;
   for (std::size_t k = 0; k < 3; ++k) {
     t.vertices[k] = corners[k] == kMoved ? nameOfMoved(mesh_.mesh(), change) : corners[k].index;
-    t.at[k] = written(positionAfter(mesh_, change, corners[k]), grain_);
+    t.at[k] = written(positionAfter(mesh_, change, corners[k]), quantum_);
   }
   return t;
 }

@@ -8,7 +8,7 @@
 
 #include "geometry/triangle_grid.h"
 #include "geometry/triangle_meeting.h"
-#include "remesh/gate/grain.h"
+#include "remesh/gate/quantum.h"
 #include "remesh/operators/local_change.h"
 
 namespace remesher {
@@ -17,7 +17,7 @@ namespace remesher {
 // its code.
 class CrossingGuard {
  public:
-  CrossingGuard(const WorkingMesh& mesh, const Grain& grain);
+  CrossingGuard(const WorkingMesh& mesh, const Quantum& quantum);
   virtual ~CrossingGuard() = default;
 
   // How many more pairs of triangles would intersect outside their shared vertices and edges; if
@@ -48,7 +48,7 @@ class CrossingGuard {
   void enterAll();
 
   const WorkingMesh& mesh_;
-  Grain grain_;
+  Quantum quantum_;
   TriangleGrid grid_;
   std::size_t added_ = 0;  // entries since all were entered
 };

@@ -51,9 +51,9 @@ constexpr double kLine = 2 * kFlattest;
 // Whether a triangle is surely no line, far above all rounding. longer: the square of the longer of
 // two sides; area: the square of twice its area. The third side is no longer than the other two
 // together.
-bool isPlain(double longer, double area, const Grain& grain) {
-  constexpr double kPlain = 1e-12, kPlainGrains = 1e3;
-  return area > longer * (kPlain * longer + kPlainGrains * grain.size * grain.size);
+bool isPlain(double longer, double area, const Quantum& quantum) {
+  constexpr double kPlain = 1e-12, kPlainQuanta = 1e3;
+  return area > longer * (kPlain * longer + kPlainQuanta * quantum.size * quantum.size);
 }
 
 // Whether a triangle surely is no fold. lean: the least product of its area vector with the normals
@@ -84,7 +84,7 @@ bool isFine(const WorkingMesh& mesh, const std::array<Vertex, 3>& triangle, cons
     if ((isMoved ? moved.kind : mesh.kind(triangle[i])) != VertexKind::Curve) return false;
     if (isFold(normal.dot(isMoved ? moved.across : mesh.normalAcross(triangle[i])))) return false;
   }
-  return isPlain(greatest(ab.squaredNorm(), ac.squaredNorm()), squared, rule.grain);
+  return isPlain(greatest(ab.squaredNorm(), ac.squaredNorm()), squared, rule.quantum);
 }
 
 // The smallest N_i·N_T of a triangle; if none is a fold, any value above `fold`. The normals of the
@@ -160,36 +160,36 @@ Verdict judgeShape(const WorkingMesh& mesh, const LocalChange& change, const Fid
   };
   if (isFold && std::all_of(change.coming.begin(), change.coming.end(), isFineOne))
     return Verdict::Accepted;
-  if (flattens(mesh, change, rule.grain)) return Verdict::FoldsOver;
+  if (flattens(mesh, change, rule.quantum)) return Verdict::FoldsOver;
   return isFold ? judgeFold(mesh, change, rule) : judgeAngles(mesh, change, rule);
 }
 
 }  // namespace
 
-bool isLine(const Triangle& triangle, const Grain& grain) {
+bool isLine(const Triangle& triangle, const Quantum& quantum) {
   const auto& [a, b, c] = triangle;
   const double longer = greatest((b - a).squaredNorm(), (c - a).squaredNorm());
-  if (isPlain(longer, areaVector(a, b, c).squaredNorm(), grain)) return false;
+  if (isPlain(longer, areaVector(a, b, c).squaredNorm(), quantum)) return false;
   // Rounding also bends lines, where a file holds more digits.
   return std::min(flatness(a, b, c),
-                  flatness(written(a, grain), written(b, grain), written(c, grain))) <= kLine;
+                  flatness(written(a, quantum), written(b, quantum), written(c, quantum))) <= kLine;
 }
 
-bool flattens(const WorkingMesh& mesh, const LocalChange& change, const Grain& grain) {
+bool flattens(const WorkingMesh& mesh, const LocalChange& change, const Quantum& quantum) {
   const auto at = [&](Vertex v) -> const Vec3& { return positionAfter(mesh, change, v); };
   const auto areOne = [&](const Vec3& a, const Vec3& b) {
-    return written(a, grain) == written(b, grain);
+    return written(a, quantum) == written(b, quantum);
   };
   std::ptrdiff_t coming = 0;
   for (const auto& t : change.coming) {
     const Vec3 &a = at(t[0]), &b = at(t[1]), &c = at(t[2]);
-    if (!isLine({a, b, c}, grain)) continue;
+    if (!isLine({a, b, c}, quantum)) continue;
     if (areOne(a, b) || areOne(b, c) || areOne(c, a)) return true;
     ++coming;
   }
   return coming > 0 &&
          coming > std::count_if(change.going.begin(), change.going.end(),
-                                [&](Face f) { return isLine(mesh.corners(f), grain); });
+                                [&](Face f) { return isLine(mesh.corners(f), quantum); });
 }
 
 FidelityRule fidelityRule(const RemeshOptions& options) {
@@ -209,7 +209,7 @@ bool mayMove(const Star& star, const Placement& place, const FidelityRule& rule)
     const double lean =
         least(normal.dot(place.normal), normal.dot(star.normal(k)), normal.dot(star.normal(i)));
     if (!isUpright(lean, squared, rule)) return false;
-    if (!isPlain(greatest(length2Before, length2), squared, rule.grain)) return false;
+    if (!isPlain(greatest(length2Before, length2), squared, rule.quantum)) return false;
     before = spoke;
     length2Before = length2;
   }

@@ -18,7 +18,7 @@
 #include "base/options.h"
 #include "remesh/gate/crossing_guard.h"
 #include "remesh/gate/error_bound.h"
-#include "remesh/gate/grain.h"
+#include "remesh/gate/quantum.h"
 #include "remesh/operators/local_change.h"
 #include "remesh/operators/star.h"
 
@@ -37,7 +37,7 @@ struct FidelityRule {
   double cosVertexAngle = 0;
   double cosTriangleAngle = 0;
   double fold = kFold;  // smallest N_i·N_T that is not a fold
-  Grain grain = {};
+  Quantum quantum = {};
   const ErrorBound* bound = nullptr;  // if any; the mesh must be within it
   CrossingGuard* guard = nullptr;     // if any; must be told of every change to its mesh
 };
@@ -45,12 +45,12 @@ struct FidelityRule {
 FidelityRule fidelityRule(const RemeshOptions& options);
 
 // Whether a triangle is a line as written.
-bool isLine(const Triangle& triangle, const Grain& grain);
+bool isLine(const Triangle& triangle, const Quantum& quantum);
 
 // Whether a change makes more triangles that are lines, as written, than it replaces, or one with
 // two corners at one place: a file would join these to one vertex and grow sheets together.
 // Projections of different points may end in one corner of the original, or on one edge.
-bool flattens(const WorkingMesh& mesh, const LocalChange& change, const Grain& grain);
+bool flattens(const WorkingMesh& mesh, const LocalChange& change, const Quantum& quantum);
 
 // A quick test of a star that proves most moves of interior vertices allowed. A move that fails it
 // has to be judged.

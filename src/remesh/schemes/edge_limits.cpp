@@ -11,11 +11,11 @@ namespace remesher {
 namespace {
 
 // Lengths with room for what rounding moves.
-WantedLimits limitsIn(const RemeshOptions& options, const Grain& grain) {
+WantedLimits limitsIn(const RemeshOptions& options, const Quantum& quantum) {
   constexpr double kRoom = 4;  // roundings of coordinates
   WantedLimits wanted;
-  if (options.minEdge) wanted.shortest = *options.minEdge + kRoom * grain.size;
-  if (options.maxEdge) wanted.longest = *options.maxEdge - kRoom * grain.size;
+  if (options.minEdge) wanted.shortest = *options.minEdge + kRoom * quantum.size;
+  if (options.maxEdge) wanted.longest = *options.maxEdge - kRoom * quantum.size;
   if (options.minAngle) wanted.angle = radians(*options.minAngle) * (1 + kSingleRoundOff);
   return wanted;
 }
@@ -37,12 +37,12 @@ double numberByEdges(const RemeshOptions& options, double area, double own) {
 }
 
 void keepLimits(Run& run, const RemeshOptions& options, Number number) {
-  if (wantsOfEach(options)) keepWanted(run, limitsIn(options, run.asked.rule.grain), number);
+  if (wantsOfEach(options)) keepWanted(run, limitsIn(options, run.asked.rule.quantum), number);
 }
 
 Unmet unmetLimits(const Run& run, const RemeshOptions& options) {
   if (!wantsOfEach(options)) return {};
-  return unmetOf(run, limitsIn(options, run.asked.rule.grain));
+  return unmetOf(run, limitsIn(options, run.asked.rule.quantum));
 }
 
 }  // namespace remesher

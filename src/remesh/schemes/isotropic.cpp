@@ -124,7 +124,7 @@ Made makeMesh(Run& run, const Prepared& original, const RunSettings& settings,
 // Results in double precision are made as if they had to be single, so that formats of files make
 // hardly a difference. They are rounded where they are worked on: else a model of flat sides, whose
 // triangles nearly meet, would get another mesh elsewhere or in another unit of length.
-Grain grainOf(const TriangleMesh& input) {
+Quantum quantumOf(const TriangleMesh& input) {
   constexpr double kHalfUlp = 0x1p-24, kHalfLeast = 0x1p-150;
   const Frame frame = input.isSingle ? input.frame : Frame{};
   double farthest = 0;
@@ -153,7 +153,7 @@ Remeshed remeshOriginal(const Prepared& original, const RunSettings& settings,
   WorkingMesh mesh(original.ground());
   SizeField sizes = original.sizes();
   Run run{mesh, projector, sizes, {fidelityRule(options)}};
-  run.asked.rule.grain = settings.grain;
+  run.asked.rule.quantum = settings.quantum;
   run.grounds.standIn = original.standIn();
   run.grounds.tree = &settings.tree;
   run.asked.stagger = settings.stagger;
@@ -179,9 +179,12 @@ Remeshed remeshOriginal(const Prepared& original, const RunSettings& settings,
 
 void Isotropic::make(CrossingRule crossings, ShapeComparison* comparison,
                      const Progress& progress) {
-  const RunSettings settings{options_,        input_.attributes.empty() ? 0 : kStagger,
-                             grainOf(input_), comparison,
-                             tree_,           bodies_,
+  const RunSettings settings{options_,
+                             input_.attributes.empty() ? 0 : kStagger,
+                             quantumOf(input_),
+                             comparison,
+                             tree_,
+                             bodies_,
                              crossings};
   made_ = remeshOriginal(original_, settings, progress);
 }

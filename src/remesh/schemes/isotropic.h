@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "original/surface/original_tree.h"
-#include "remesh/gate/grain.h"
+#include "remesh/gate/quantum.h"
 #include "remesh/operators/projection.h"
 #include "remesh/operators/working_mesh.h"
 #include "remesh/schemes/bodies.h"
@@ -35,14 +35,14 @@ inline CrossingRule crossingsAfter(const RemeshOptions& options) {
 struct RunSettings {
   const RemeshOptions& options;
   double stagger;  // see Run
-  Grain grain;
+  Quantum quantum;
   ShapeComparison* comparison;  // with the mesh that may be taken instead, or null
   OriginalTree& tree;
   const Bodies& bodies;
   CrossingRule crossings = CrossingRule::Leave;
 };
 
-Grain grainOf(const TriangleMesh& input);
+Quantum quantumOf(const TriangleMesh& input);
 
 // Projects onto the surface that remeshing begins with.
 Projector projectorFor(const Prepared& original, const RemeshOptions& options);

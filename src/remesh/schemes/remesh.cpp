@@ -56,7 +56,7 @@ RemeshOptions optionsForQuads(RemeshOptions options) {
 
 // The few vertices around the largest distances move to where these are smallest.
 void bringNearer(WorkingMesh& mesh, const Prepared& original, const RemeshOptions& options,
-                 const Grain& grain) {
+                 const Quantum& quantum) {
   Projector projector = projectorFor(original, options);
   SizeField sizes = original.sizes();
   if (const StandIn* standIn = original.standIn()) {
@@ -64,7 +64,7 @@ void bringNearer(WorkingMesh& mesh, const Prepared& original, const RemeshOption
     sizes.moveOnto(original.surface(), standIn->heirs());
   }
   Run run{mesh, projector, sizes, {fidelityRule(options)}};
-  run.asked.rule.grain = grain;
+  run.asked.rule.quantum = quantum;
   run.asked.areQuads = true;
   run.asked.effort = effortOf(Quality::Best, Level::Finest, mesh.mesh().vertexCount());
   // Distances are lowered beside the sides of the quads: those of the map's triangles may be a
@@ -93,7 +93,7 @@ RemeshOutcome remeshToQuads(Plan plan, const TriangleMesh& input, const RemeshOp
     originals.push_back(std::make_unique<Prepared>(std::move(copy), options, stretch));
     OriginalTree tree(originals.back()->surface(), &input);
     const Bodies bodies(input, options.bodies);
-    const RunSettings settings{options, 0,      grainOf(input),         nullptr,
+    const RunSettings settings{options, 0,      quantumOf(input),       nullptr,
                                tree,    bodies, crossingsAfter(options)};
     Remeshed remeshed = remeshOriginal(*originals.back(), settings, stretch);
     remeshed.mesh.compact();
@@ -111,7 +111,7 @@ RemeshOutcome remeshToQuads(Plan plan, const TriangleMesh& input, const RemeshOp
   progress.phase("extract", 1, 1);
   const Prepared& original = *originals.front();
   WorkingMesh mesh = triangulated(quads.mesh, original.surface());
-  if (wanted.quality != Quality::Draft) bringNearer(mesh, original, options, grainOf(input));
+  if (wanted.quality != Quality::Draft) bringNearer(mesh, original, options, quantumOf(input));
   std::vector<InputPlace> places;
   if (options.textures == Textures::Bake || isHalf) places = cornerPlaces(mesh, input);
   std::vector<Warning> warnings = original.warnings();

@@ -23,7 +23,7 @@ namespace remesher {
 namespace {
 
 std::unique_ptr<CrossingGuard> guardOf(Run& run) {
-  auto guard = std::make_unique<CrossingGuard>(run.mesh, run.asked.rule.grain);
+  auto guard = std::make_unique<CrossingGuard>(run.mesh, run.asked.rule.quantum);
   run.asked.rule.guard = guard.get();
   return guard;
 }

@@ -131,7 +131,7 @@ bool commitStraight(Run& run, const RankedEdge& edge) {
 enum class Halves { Any, NoNeedles };
 
 bool makesNeedle(const Run& run) {
-  return isNeedle(smallestComingAngle(run.mesh, run.scratch.change, run.asked.rule.grain));
+  return isNeedle(smallestComingAngle(run.mesh, run.scratch.change, run.asked.rule.quantum));
 }
 
 // Returns the number of splits.

@@ -43,7 +43,7 @@ struct Written {
 };
 
 Written writtenAt(const Run& run, Vertex v) {
-  return {written(run.mesh.position(v), run.asked.rule.grain), tieOf(run.mesh, v), v};
+  return {written(run.mesh.position(v), run.asked.rule.quantum), tieOf(run.mesh, v), v};
 }
 
 // The vertices that share their places with others.
@@ -53,7 +53,7 @@ std::vector<Written> inOnePlace(const Run& run) {
   for (Vertex v{0}; v.index < run.mesh.mesh().vertexCapacity(); ++v.index) {
     if (!run.mesh.mesh().isAlive(v)) continue;
     vertices.push_back(v);
-    places.push_back(written(run.mesh.position(v), run.asked.rule.grain));
+    places.push_back(written(run.mesh.position(v), run.asked.rule.quantum));
   }
   const std::vector<Index> first = weld(places);
   std::vector<char> isShared(first.size(), 0);
@@ -70,7 +70,8 @@ bool shareChord(const Run& run, Vertex v, Vertex w) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
   const auto forEachInside = [&](Vertex from, auto visit) {
     mesh.forEachOutgoing(from, [&](Halfedge h) {
-      if (!mesh.isBoundary(h)) visit(written(run.mesh.position(mesh.tip(h)), run.asked.rule.grain));
+      if (!mesh.isBoundary(h))
+        visit(written(run.mesh.position(mesh.tip(h)), run.asked.rule.quantum));
     });
   };
   bool found = false;
@@ -117,13 +118,13 @@ void moveAlong(Run& run, Vertex v, double step) {
 // step: the share of the way to the middle of the edge opposite to v.
 void moveInside(Run& run, Vertex v, double step) {
   const FidelityRule rule = ruleOfMoves(run);
-  const Vec3 before = written(run.mesh.position(v), run.asked.rule.grain);
+  const Vec3 before = written(run.mesh.position(v), run.asked.rule.quantum);
   bool isDone = false;
   run.mesh.mesh().forEachOutgoing(v, [&](Halfedge h) {
     if (isDone) return;
     const StarPoint to{h, {1 - step, step / 2, step / 2}};
     isDone = proposeRelocation(run.mesh, run.projector, to, run.scratch.change) &&
-             written(run.scratch.change.place.position, run.asked.rule.grain) != before &&
+             written(run.scratch.change.place.position, run.asked.rule.quantum) != before &&
              commit(run, rule);
   });
 }

@@ -43,10 +43,10 @@ struct Limits {
 // By how much the proposal at hand enlarges the worst angle.
 double wideningOf(const Run& run, const Limits& limits, double least) {
   const LocalChange& change = run.scratch.change;
-  const Grain& grain = run.asked.rule.grain;
-  const double worst = smallestComingAngle(run.mesh, change, grain, least);
+  const Quantum& quantum = run.asked.rule.quantum;
+  const double worst = smallestComingAngle(run.mesh, change, quantum, least);
   if (worst <= least) return 0;
-  const double better = worst - smallestGoingAngle(run.mesh, change, grain);
+  const double better = worst - smallestGoingAngle(run.mesh, change, quantum);
   if (better <= least || judge(run.mesh, change, limits.rule) != Verdict::Accepted) return 0;
   const bool mayShift = std::isinf(limits.shift);
   return mayShift || !shiftsBeyond(limits.shift, run.mesh, change) ? better : 0;
@@ -95,7 +95,7 @@ void offerMove(Run& run, Vertex v, Ground ground, LocalSearch& search) {
       const Vec2 to = at + step * spoke * direction;
       if (!proposeMove(run, map, to, wanted)) continue;
       const double worst =
-          smallestComingAngle(run.mesh, run.scratch.change, run.asked.rule.grain, angle);
+          smallestComingAngle(run.mesh, run.scratch.change, run.asked.rule.quantum, angle);
       if (worst <= angle) continue;
       angle = worst;
       wanted.angle = AngleLimit(std::max(0.0, angle - kByProjecting));
@@ -221,13 +221,13 @@ bool mend(Run& run, Face f, const Attempt& attempt) {
 }
 
 bool isBad(const Run& run, Face f, const AngleLimit& limit) {
-  return run.mesh.mesh().isAlive(f) && limit.isAbove(run.mesh, f, run.asked.rule.grain);
+  return run.mesh.mesh().isAlive(f) && limit.isAbove(run.mesh, f, run.asked.rule.quantum);
 }
 
 std::vector<Face> badTriangles(const Run& run, double angle) {
   const AngleLimit limit(angle);
   return worstFirst(run.mesh.mesh(), [&](Face f) {
-    return isBad(run, f, limit) ? std::optional(-smallestAngle(run.mesh, f, run.asked.rule.grain))
+    return isBad(run, f, limit) ? std::optional(-smallestAngle(run.mesh, f, run.asked.rule.quantum))
                                 : std::nullopt;
   });
 }

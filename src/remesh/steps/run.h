@@ -89,7 +89,7 @@ inline bool commit(Run& run) { return commit(run, run.asked.rule); }
 // For changes that are made even if they fold the mesh over: carries out the proposal at hand
 // unless triangles become lines or more of them intersect.
 inline bool commitUnlessFlat(Run& run) {
-  if (flattens(run.mesh, run.scratch.change, run.asked.rule.grain)) return false;
+  if (flattens(run.mesh, run.scratch.change, run.asked.rule.quantum)) return false;
   if (run.asked.rule.guard && !run.asked.rule.guard->allows(run.scratch.change)) return false;
   carryOut(run, run.scratch.change);
   return true;

@@ -27,7 +27,7 @@ void splitObtuse(Run& run) {
   const ErrorBound* bound = run.asked.rule.bound;
   for (const auto& [from, to] : edges)
     if (proposeSplit(run.mesh, run.projector, m.find(from, to), run.scratch.change) &&
-        !flattens(run.mesh, run.scratch.change, run.asked.rule.grain) &&
+        !flattens(run.mesh, run.scratch.change, run.asked.rule.quantum) &&
         (!bound || bound->allows(run.mesh, run.scratch.change)))
       apply(run.mesh, run.scratch.change);
 }

@@ -153,9 +153,10 @@ bool widenAround(Run& run, PolarMap& star, Vertex v) {
   star.build(run.mesh.mesh(), run.mesh.positions(), v);
   const Vec2 target = wideTarget(star);
   if (target == Vec2::Zero() || !proposeTarget(run, star, v, target)) return false;
-  const Grain& grain = run.asked.rule.grain;
-  const double kept = std::min(smallestGoingAngle(run.mesh, run.scratch.change, grain), kWideAngle);
-  return smallestComingAngle(run.mesh, run.scratch.change, grain, kept) > kept && commit(run);
+  const Quantum& quantum = run.asked.rule.quantum;
+  const double kept =
+      std::min(smallestGoingAngle(run.mesh, run.scratch.change, quantum), kWideAngle);
+  return smallestComingAngle(run.mesh, run.scratch.change, quantum, kept) > kept && commit(run);
 }
 
 void laplacianSweep(Run& run) {

@@ -12,11 +12,11 @@ namespace remesher {
 
 namespace {
 
-// The least width of a cell, and the least distance of inner points from its sides, in grains.
-constexpr double kFewestGrains = 8, kGrainsBeside = 2;
+// The least width of a cell, and the least distance of inner points from its sides, in quanta.
+constexpr double kFewestQuanta = 8, kQuantaBeside = 2;
 
 // Coordinates that differ by no more than this may be equal to a reader of the result.
-double grainOf(const TriangleMesh& mesh, const Box& box) {
+double quantumOf(const TriangleMesh& mesh, const Box& box) {
   const Vec3 high = mesh.frame.written(box.high), low = mesh.frame.written(box.low);
   const double farthest = std::max(high.cwiseAbs().maxCoeff(), low.cwiseAbs().maxCoeff());
   const double least = mesh.isSingle ? std::numeric_limits<float>::denorm_min() : 0;
@@ -36,7 +36,7 @@ void Lattice::countPoints() {
     counts_[axis] = c.size();
     for (std::size_t i = 0; i + 1 < c.size(); ++i) narrowest = std::min(narrowest, c[i + 1] - c[i]);
   }
-  leastMargin_ = kGrainsBeside * grain_ / narrowest;
+  leastMargin_ = kQuantaBeside * quantum_ / narrowest;
   strides_ = {counts_[1] * counts_[2], counts_[2], 1};
 }
 
@@ -44,8 +44,8 @@ Lattice::Lattice(const TriangleMesh& mesh, double spacing, double spare) {
   if (mesh.isSingle) frame_ = mesh.frame;
   Box box;
   for (const Index v : mesh.indices) box.extend(mesh.positions[v]);
-  grain_ = grainOf(mesh, box);
-  spacing_ = spacing = std::max(spacing, kFewestGrains * grain_);
+  quantum_ = quantumOf(mesh, box);
+  spacing_ = spacing = std::max(spacing, kFewestQuanta * quantum_);
   const double cells = 2 + spare / spacing;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     // Offset from the box by an odd fraction, so that planes of boxes seldom lie in planes of the
@@ -69,7 +69,7 @@ Lattice Lattice::withPlanes(const std::array<std::vector<double>, 3>& planes) co
       const double plane = rounded(given, Eigen::Index(axis));
       const auto above = std::upper_bound(c.begin(), c.end(), plane);
       const bool isWithin = above != c.begin() && above != c.end();
-      if (!isWithin || std::min(plane - above[-1], *above - plane) < kFewestGrains * grain_)
+      if (!isWithin || std::min(plane - above[-1], *above - plane) < kFewestQuanta * quantum_)
         continue;
       c.insert(above, plane);
     }

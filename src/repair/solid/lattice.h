@@ -82,7 +82,7 @@ class Lattice {
   double rounded(double coordinate, Eigen::Index axis) const;
   void countPoints();
 
-  double spacing_, grain_, leastMargin_;
+  double spacing_, quantum_, leastMargin_;
   std::optional<Frame> frame_;  // of coordinates in single precision
   std::array<std::size_t, 3> counts_{}, strides_{};
   std::array<std::vector<double>, 3> coordinates_;

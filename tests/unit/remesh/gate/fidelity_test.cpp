@@ -124,7 +124,7 @@ TEST_CASE("fidelity: no triangle becomes a line, even where normals say nothing"
   square.positions = {{0, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}};
   square.indices = {0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2};
   const OriginalSurface surface = shapes::surfaceOf(square, shapes::Features::None);
-  const Grain kSingle{2 * 0x1p-24};
+  const Quantum kSingle{2 * 0x1p-24};
   for (const double height : {0.0, 1e-9}) {
     CAPTURE(height);
     WorkingMesh mesh(surface);

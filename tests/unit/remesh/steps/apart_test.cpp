@@ -44,7 +44,7 @@ std::size_t movedSince(const VertexData<Vec3>& before, const shapes::TestRun& te
 TEST_CASE("apart: of vertices that are written at one place all but one go, inside of boundaries") {
   constexpr std::size_t kCutCorners = 2;  // of the grid, by edges inside, which lie on each other
   shapes::TestRun test(nearSheets(kCells));
-  test.run.asked.rule.grain.size = 1e-7;
+  test.run.asked.rule.quantum.size = 1e-7;
   const VertexData<Vec3> before = test.mesh.positions();
   CHECK(writtenPlaces(test) == kAll);
   CHECK(moveApart(test.run) == 0);
@@ -65,10 +65,10 @@ TEST_CASE("apart: those that must stay are counted, but for boundaries") {
   TriangleMesh below = shapes::cube(1), above = below;
   for (Vec3& p : above.positions) p.z() += 1 + 1e-10;
   shapes::TestRun test(soups::joined({below, above}));
-  test.run.asked.rule.grain.size = 1e-7;
+  test.run.asked.rule.quantum.size = 1e-7;
   CHECK(moveApart(test.run) == 4);
   shapes::TestRun sheets(nearSheets(1));
-  sheets.run.asked.rule.grain.size = 1e-7;
+  sheets.run.asked.rule.quantum.size = 1e-7;
   CHECK(moveApart(sheets.run) == 0);
 }
 

@@ -6,14 +6,14 @@
 
 namespace remesher {
 
-struct Grain {
+struct Quantum {
   double size = 0;   // how far rounding moves them; 0: not at all
   Frame frame = {};  // see TriangleMesh
 };
 
 // A position as it is written.
-inline Vec3 written(const Vec3& p, const Grain& grain) {
-  return grain.size > 0 ? inSingle(p, grain.frame) : p;
+inline Vec3 written(const Vec3& p, const Quantum& quantum) {
+  return quantum.size > 0 ? inSingle(p, quantum.frame) : p;
 }
 
 }  // namespace remesher
