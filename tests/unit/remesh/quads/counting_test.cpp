@@ -77,7 +77,7 @@ TEST_CASE("counting: balls of any triangles have eight irregular vertices, mirro
       CHECK(irregularOf(made.mesh) == 8);
       CHECK(!made.mirrors.empty());
       CHECK(missedBy(made, vertices) <= kFreeTolerance);
-      CHECK(isSaid(made) == missedBy(made, vertices) > kCountTolerance);
+      CHECK(isSaid(made) == (missedBy(made, vertices) > kCountTolerance));
     }
 }
 
@@ -88,7 +88,7 @@ TEST_CASE("counting: boxes are grids, whose number may be a few hundredths off")
       const RemeshOutcome made = quadsOf(box, vertices);
       CHECK(irregularOf(made.mesh) == 8);
       CHECK(missedBy(made, vertices) <= kFreeTolerance);
-      CHECK(isSaid(made) == missedBy(made, vertices) > kCountTolerance);
+      CHECK(isSaid(made) == (missedBy(made, vertices) > kCountTolerance));
     }
 }
 
