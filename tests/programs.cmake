@@ -25,6 +25,7 @@ add_executable(unit_tests
   tests/unit/geometry/quad_test.cpp
   tests/unit/geometry/ray_crossings_test.cpp
   tests/unit/geometry/triangle_grid_test.cpp
+  tests/unit/geometry/triangle_meeting_test.cpp
   tests/unit/geometry/triangle_test.cpp
   tests/unit/geometry/triangle_tree_test.cpp
   tests/unit/io/contents_test.cpp

@@ -11,11 +11,20 @@ namespace {
 
 using FlatTriangle = std::array<Vec2, 3>;
 
-// The two axes of the plane that remain when the axis nearest to the normal is dropped.
-std::array<Eigen::Index, 2> widestAxes(const Triangle& t) {
+Vec2 inAxes(const Vec3& p, Eigen::Index axis) { return {p[axis], p[(axis + 1) % 3]}; }
+
+bool hasAreaIn(const Triangle& t, Eigen::Index axis) {
+  return orient2d(inAxes(t[0], axis), inAxes(t[1], axis), inAxes(t[2], axis)) != 0;
+}
+
+// The first of two successive axes along which the triangle has an area: those that remain when the
+// axis nearest to the normal is dropped. Of a needle the normal may be nothing but rounding.
+Eigen::Index widestAxes(const Triangle& t) {
   Eigen::Index dropped = 0;
   areaVector(t[0], t[1], t[2]).cwiseAbs().maxCoeff(&dropped);
-  return {(dropped + 1) % 3, (dropped + 2) % 3};
+  Eigen::Index axis = (dropped + 1) % 3;
+  for (int k = 0; k < 2 && !hasAreaIn(t, axis); ++k) axis = (axis + 1) % 3;
+  return axis;
 }
 
 bool isInside(const Vec2& p, const FlatTriangle& t) {
@@ -37,8 +46,8 @@ bool segmentsMeet(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
 
 // For a segment in the plane of the triangle.
 bool meetsInPlane(const Vec3& p, const Vec3& q, const Triangle& t) {
-  const std::array<Eigen::Index, 2> axes = widestAxes(t);
-  const auto flat = [&axes](const Vec3& x) { return Vec2(x[axes[0]], x[axes[1]]); };
+  const Eigen::Index axis = widestAxes(t);
+  const auto flat = [axis](const Vec3& x) { return inAxes(x, axis); };
   const FlatTriangle f = {flat(t[0]), flat(t[1]), flat(t[2])};
   const Vec2 a = flat(p), b = flat(q);
   return isInside(a, f) || isInside(b, f) || segmentsMeet(a, b, f[0], f[1]) ||
@@ -77,8 +86,8 @@ bool cornersMeet(const Triangle& s, const Triangle& t) {
 // If s[0] = t[0] and s[1] = t[1]: they overlap only when folded flat onto each other.
 bool flapsMeet(const Triangle& s, const Triangle& t) {
   if (orient3d(s[0], s[1], s[2], t[2]) != 0) return false;
-  const std::array<Eigen::Index, 2> axes = widestAxes(s);
-  const auto flat = [&axes](const Vec3& x) { return Vec2(x[axes[0]], x[axes[1]]); };
+  const Eigen::Index axis = widestAxes(s);
+  const auto flat = [axis](const Vec3& x) { return inAxes(x, axis); };
   return orient2d(flat(s[0]), flat(s[1]), flat(s[2])) ==
          orient2d(flat(s[0]), flat(s[1]), flat(t[2]));
 }
@@ -108,12 +117,14 @@ bool isBeyondAnEdge(const NamedTriangle& s, const NamedTriangle& t) {
     const std::size_t k = (i + 1) % 3;
     const Vec3 outwards = (s.at[k] - s.at[i]).cross(normal);
     const double flattest = kFlattest * kFlattest * outwards.squaredNorm();
+    // Else the normal of a needle is nothing but rounding.
+    if (outwards.dot(s.at[3 - i - k] - s.at[i]) >= 0) continue;
     const auto isBeyond = [&](std::size_t corner) {
       const Index v = t.vertices[corner];
       if (v == s.vertices[i] || v == s.vertices[k]) return true;
       const Vec3 way = t.at[corner] - s.at[i];
-      const double along = outwards.dot(way);
-      return along > 0 && along * along > flattest * way.squaredNorm();
+      const double along = outwards.dot(way), least = flattest * way.squaredNorm();
+      return along > 0 && least > 0 && along * along > least;  // 0: too small for a double
     };
     if (isBeyond(0) && isBeyond(1) && isBeyond(2)) return true;
   }
@@ -123,10 +134,8 @@ bool isBeyondAnEdge(const NamedTriangle& s, const NamedTriangle& t) {
 }  // namespace
 
 bool hasArea(const Triangle& t) {
-  for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    const auto flat = [&](const Vec3& p) { return Vec2(p[axis], p[(axis + 1) % 3]); };
-    if (orient2d(flat(t[0]), flat(t[1]), flat(t[2])) != 0) return true;
-  }
+  for (Eigen::Index axis = 0; axis < 3; ++axis)
+    if (hasAreaIn(t, axis)) return true;
   return false;
 }
 
