@@ -8,7 +8,6 @@
 #include "base/disjoint_sets.h"
 #include "base/fires.h"
 #include "geometry/extent.h"
-#include "measure/self_intersections.h"
 #include "mesh/used_vertices.h"
 #include "repair/ladder.h"
 #include "repair/loose_pieces.h"
@@ -44,8 +43,6 @@ std::optional<United> soundUnion(const TriangleMesh& bodies, std::span<const Ind
     fires("exact repair: the union is not closed");
     return std::nullopt;
   }
-  // All of them: the arrangement looks only beside triangles that it has cut.
-  outside->crossings = selfIntersections(outside->mesh);
   if (double(outside->crossings.size()) > mostLeft * double(crossings.size())) {
     fires("exact repair: the union intersects itself");
     return std::nullopt;
