@@ -29,6 +29,7 @@ FacetedMesh::FacetedMesh(const BuiltMesh& original, const HalfedgeData<char>& se
       mesh_(original.mesh),
       positions_(original.positions),
       at_(mesh_.vertexCapacity()),
+      known_(mesh_.vertexCapacity()),
       role_(mesh_.vertexCapacity(), FacetRole::Free),
       source_(mesh_.vertexCapacity()),
       along_(mesh_.vertexCapacity()),
@@ -176,6 +177,7 @@ void FacetedMesh::grow() {
   const std::size_t vertices = mesh_.vertexCapacity();
   positions_.resize(vertices, Vec3::Zero());
   at_.resize(vertices);
+  known_.resize(vertices);
   role_.resize(vertices, FacetRole::Free);
   source_.resize(vertices);
   along_.resize(vertices);
@@ -186,6 +188,7 @@ void FacetedMesh::grow() {
 void FacetedMesh::put(Vertex v, FacetRole role, const Place& place) {
   role_[v] = role;
   at_[v] = place.at;
+  known_[v] = {};
   positions_[v] = place.position;
 }
 

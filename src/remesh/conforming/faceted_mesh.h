@@ -5,6 +5,7 @@
 // bend little against each other may be unrolled, and are one facet then.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -53,7 +54,10 @@ class FacetedMesh {
   // The point of the original halfway between two vertices of an unrolled facet.
   Vec3 halfway(Vertex a, Vertex b, Index facet) const;
   // Moves a vertex off the original. Its place there stays the same.
-  void lift(Vertex v, const Vec3& way) { positions_[v] += way; }
+  void lift(Vertex v, const Vec3& way) {
+    positions_[v] += way;
+    known_[v] = {};
+  }
   // How far edges through unrolled facets may be from them.
   double depth() const { return depth_; }
   // Whether an edge through the facet would be farther from it than it may be.
@@ -95,6 +99,12 @@ class FacetedMesh {
     SurfacePoint at;
     Vec3 position;
   };
+  // Places of a vertex in unrolled facets, those last asked for.
+  struct FlatPlace {
+    Index facet = kNone;
+    Vec2 at = Vec2::Zero();
+  };
+  using FlatPlaces = std::array<FlatPlace, 2>;
 
   void setFacets(const HalfedgeData<char>& seams);
   void unroll(const HalfedgeData<char>& seams);
@@ -127,6 +137,7 @@ class FacetedMesh {
   HalfedgeMesh mesh_;
   VertexData<Vec3> positions_;
   VertexData<SurfacePoint> at_;  // on the original
+  mutable VertexData<FlatPlaces> known_;
   VertexData<FacetRole> role_;
   VertexData<Vertex> source_;     // of corners: the vertex of the original
   VertexData<CurvePoint> along_;  // of vertices on lines

@@ -67,7 +67,14 @@ Vec2 FacetedMesh::flatOf(const SurfacePoint& point, Index facet) const {
          point.barycentric[2] * corner(2);
 }
 
-Vec2 FacetedMesh::unrolled(Vertex v, Index facet) const { return flatOf(pointIn(v, facet), facet); }
+Vec2 FacetedMesh::unrolled(Vertex v, Index facet) const {
+  FlatPlaces& known = known_[v];
+  for (const FlatPlace& place : known)
+    if (place.facet == facet) return place.at;
+  known[1] = known[0];
+  known[0] = {facet, flatOf(pointIn(v, facet), facet)};
+  return known[0].at;
+}
 
 // Of the place in the triangle, or of the nearest place that is in it.
 Vec3 FacetedMesh::weightsIn(Face f, const Vec2& place, Index facet) const {

@@ -20,6 +20,9 @@ constexpr double kLeastKept = radians(30);
 // No angle is kept as it is to the last digit.
 constexpr double kRounded = 1 - 1e-9;
 
+// An angle is computed to within this.
+constexpr double kAngleError = 1e-7;
+
 // The shares of a way that are tried where its end is too far from the original.
 constexpr std::array<double, 3> kSharesOfWay = {1, 0.5, 0.25};
 
@@ -40,6 +43,7 @@ class StarSmoothing {
   StarSmoothing(FacetedMesh& mesh, Aim aim) : mesh_(mesh), m_(mesh.mesh()), aim_(aim) {}
 
   void smooth(Vertex v) {
+    gather(v);
     isDeep_ = hasDeepSpoke(v);
     if (aim_ == Aim::Wide) keepAngles(v);
     mesh_.role(v) == FacetRole::Free ? smoothFree(v) : smoothOnLine(v);
@@ -69,20 +73,34 @@ class StarSmoothing {
     return angle < kept_ ? kInfinity : std::numbers::pi / 3 - angle;
   }
 
-  double lossAt(const Vec2& p) const {
+  // Not summed up to the end where it is more than that.
+  double lossAt(const Vec2& p, double most = kInfinity) const {
+    most += kAngleError * double(sides_.size());
     double sum = 0;
-    for (const Side& side : sides_) sum += lossOf(p, side.from, side.to);
+    for (const Side& side : sides_) {
+      sum += lossOf(p, side.from, side.to);
+      if (sum > most) break;
+    }
     return sum;
+  }
+
+  // Calls visit(p, side) for each side, p being the vertex in its plane.
+  template <class Visit>
+  void forEachSide(Vertex v, Visit visit) const {
+    Index facet = kNone;
+    Vec2 p = Vec2::Zero();
+    for (const Side& side : sides_) {
+      if (side.facet != facet) p = mesh_.flat(v, facet = side.facet);
+      if (!visit(p, side)) return;
+    }
   }
 
   // Sets what is kept by the star as it is.
   void keepAngles(Vertex v) {
     kept_ = kLeastKept;
-    m_.forEachOutgoing(v, [&](Halfedge h) {
-      const Index facet = mesh_.facet(m_.face(h));
-      kept_ = std::min(
-          kept_, kRounded * smallestFlatAngle(mesh_.flat(v, facet), mesh_.flat(m_.tip(h), facet),
-                                              mesh_.flat(m_.opposite(h), facet)));
+    forEachSide(v, [&](const Vec2& p, const Side& side) {
+      kept_ = std::min(kept_, kRounded * smallestFlatAngle(p, side.from, side.to));
+      return true;
     });
   }
 
@@ -99,7 +117,6 @@ class StarSmoothing {
   }
 
   void smoothFree(Vertex v) {
-    gather(v);
     const Index facet = sides_[0].facet;
     const Vec2 start = mesh_.flat(v, facet);
     double spoke = 0;
@@ -111,7 +128,7 @@ class StarSmoothing {
       const Vec2 from = best;
       for (const Vec2& way : planeDirections()) {
         const Vec2 p = from + step * spoke * way;
-        const double sum = lossAt(p);
+        const double sum = lossAt(p, least);
         if (sum < least) least = sum, best = p;
       }
       return best != from;
@@ -126,12 +143,12 @@ class StarSmoothing {
     mesh_.move(v, start, facet);
   }
 
-  double lossOnLine(Vertex v) const {
+  double lossOnLine(Vertex v, double most = kInfinity) const {
+    most += kAngleError * double(sides_.size());
     double sum = 0;
-    m_.forEachOutgoing(v, [&](Halfedge h) {
-      const Index facet = mesh_.facet(m_.face(h));
-      sum += lossOf(mesh_.flat(v, facet), mesh_.flat(m_.tip(h), facet),
-                    mesh_.flat(m_.opposite(h), facet));
+    forEachSide(v, [&](const Vec2& p, const Side& side) {
+      sum += lossOf(p, side.from, side.to);
+      return sum <= most;
     });
     return sum;
   }
@@ -147,7 +164,7 @@ class StarSmoothing {
         const double arc = start + way * (high - low) / 2;
         if (!(low < arc && arc < high)) continue;
         mesh_.slide(v, arc);
-        const double sum = lossOnLine(v);
+        const double sum = lossOnLine(v, least);
         if (sum < least) least = sum, best = arc;
       }
       return best != start;
@@ -172,12 +189,12 @@ class StarSmoothing {
 
 // Opposite to the shortest side.
 double smallestFlatAngle(const Vec2& a, const Vec2& b, const Vec2& c) {
-  std::array<Vec2, 3> sides = {b - a, c - b, a - c};
-  const auto isShorter = [](const Vec2& s, const Vec2& t) {
-    return s.squaredNorm() < t.squaredNorm();
-  };
-  std::rotate(sides.begin(), std::min_element(sides.begin(), sides.end(), isShorter), sides.end());
-  return angleOf(cross(sides[1], sides[2]), -sides[1].dot(sides[2]));
+  const Vec2 ab = b - a, bc = c - b, ca = a - c;
+  const double first = ab.squaredNorm(), second = bc.squaredNorm(), third = ca.squaredNorm();
+  const bool isSecond = second < first, isThird = third < (isSecond ? second : first);
+  const Vec2& one = isThird ? ab : isSecond ? ca : bc;
+  const Vec2& other = isThird ? bc : isSecond ? ab : ca;
+  return angleOf(cross(one, other), -one.dot(other));
 }
 
 void smoothFacets(FacetedMesh& mesh, int passes) {
