@@ -66,6 +66,7 @@ class Isotropic {
   const Prepared& original() const { return original_; }
   ShapeComparison& comparison() { return comparison_; }
   const WorkingMesh& mesh() const { return made_->mesh; }
+  bool isMade() const { return made_.has_value(); }
   bool isReached() const { return made_->stopped == Stopped::Target; }
 
   // comparison: may end the run early; or null.

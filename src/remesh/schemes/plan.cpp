@@ -200,8 +200,7 @@ Prepared::Prepared(Plan plan, const RemeshOptions& options, const Progress& prog
           ground(), options,
           withSpikes(sizeRules(options, double(plan.vertices), densityOnGround()), spikes_),
           copies_)),
-      sizes_(ground(),
-             withSpikes(finalRules(surface_, options,
+      rules_(withSpikes(finalRules(surface_, options,
                                    sizeRules(options, double(vertices_), densityOnGround())),
                         spikes_)),
       bound_(errorBound(surface_, options)) {}
@@ -215,10 +214,15 @@ std::span<const float> Prepared::densityOnGround() {
   return density_;
 }
 
+const SizeField& Prepared::sizes() const {
+  if (!sizes_) sizes_.emplace(ground(), rules_);
+  return *sizes_;
+}
+
 double Prepared::longestEdges() const {
   const double area = spikes_.empty() ? ground().area() : spikes_.restOfArea;
   const double own = evenEdgeLength(area, double(ground().mesh().vertexCount()));
-  return std::max(own, 2 * sizes_.mean());
+  return std::max(own, 2 * sizes().mean());
 }
 
 }  // namespace remesher

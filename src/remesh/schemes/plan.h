@@ -49,7 +49,7 @@ class Prepared {
   const StandIn* standIn() const { return standIn_ ? &*standIn_ : nullptr; }
   // The surface that remeshing begins with: the stand-in if there is one.
   const OriginalSurface& ground() const { return standIn_ ? standIn_->surface() : surface_; }
-  const SizeField& sizes() const { return sizes_; }  // on the ground
+  const SizeField& sizes() const;  // on the ground; computed when first asked for
   const std::optional<ErrorBound>& bound() const { return bound_; }
   const TransferRules& transfer() const { return transfer_; }
   const std::vector<Warning>& warnings() const { return warnings_; }
@@ -69,7 +69,8 @@ class Prepared {
   OriginalSurface surface_;
   std::optional<StandIn> standIn_;
   std::size_t vertices_;
-  SizeField sizes_;
+  SizeRules rules_;
+  mutable std::optional<SizeField> sizes_;
   std::optional<ErrorBound> bound_;
 };
 

@@ -203,10 +203,11 @@ class SurfaceCandidates {
     if (fact == Fact::SimplifiedToNumber) return isSimplified();
     if (fact == Fact::FacetsMeshed) return areFacetsMeshed();
     if (fact == Fact::FacetsBetter)
-      return isotropic().isReached()
-                 ? isotropic().comparison().isConformingBetter(isotropic().mesh())
-                 : isotropic().comparison().hasConforming();
-    if (fact == Fact::FacetsUnrolled) return isotropic().comparison().isUnrolled();
+      return prepared().comparison().areFacetsFine() ||
+             (isotropic().isReached()
+                  ? isotropic().comparison().isConformingBetter(isotropic().mesh())
+                  : isotropic().comparison().hasConforming());
+    if (fact == Fact::FacetsUnrolled) return prepared().comparison().isUnrolled();
     if (fact == Fact::IsotropicInstead)
       return isotropic().isReached() &&
              isotropic().comparison().isIsotropicInstead(isotropic().mesh());
@@ -239,10 +240,16 @@ class SurfaceCandidates {
     return conformed_->has_value();
   }
 
+  // For isotropic triangles, which are still to be made.
+  Isotropic& prepared() {
+    if (!isotropic_)
+      isotropic_ = std::make_unique<Isotropic>(std::move(plan_), input_, options_, progress_);
+    return *isotropic_;
+  }
+
   // If it may have to be made within a bound, it takes half of the progress.
   Isotropic& isotropic() {
-    if (isotropic_) return *isotropic_;
-    isotropic_ = std::make_unique<Isotropic>(std::move(plan_), input_, options_, progress_);
+    if (prepared().isMade()) return *isotropic_;
     ShapeComparison* const comparison = mayFollow_ ? &isotropic_->comparison() : nullptr;
     const bool mayRefine = comparison && comparison->refinesFlatSides();
     isotropic_->make(crossings_, comparison, mayRefine ? progress_.part(0, kHalf) : progress_);
@@ -271,8 +278,8 @@ class SurfaceCandidates {
       const std::size_t vertices = conforms ? vertices_ : made.positions;
       return outcomeOf(std::move(made), vertices, std::move(plan_.warnings));
     }
-    const Prepared& original = isotropic().original();
-    ShapeComparison& comparison = isotropic().comparison();
+    const Prepared& original = prepared().original();
+    ShapeComparison& comparison = prepared().comparison();
     return outcomeOf(conforms ? comparison.takeConforming() : comparison.takeSimplified(),
                      original.places(), original.warnings());
   }

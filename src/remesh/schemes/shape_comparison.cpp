@@ -304,6 +304,11 @@ bool ShapeComparison::hasForShape() {
 
 bool ShapeComparison::hasConforming() { return conforming().has_value(); }
 
+bool ShapeComparison::areFacetsFine() {
+  if (!isPart() || !isAllFacets() || !conforming() || isUnrolled()) return false;
+  return qualityOf(conforming()->mesh).isGood(kFineFacets);
+}
+
 bool ShapeComparison::mayConform(const WorkingMesh& isotropic) {
   return isPart() && (isSeen(isotropic) || isAllFacets());
 }

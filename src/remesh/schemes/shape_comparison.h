@@ -37,6 +37,9 @@ class ShapeComparison {
   bool hasSimplified();
   // Whether the simplified mesh exists and is so much nearer that it is worth its uneven triangles.
   bool isSimplifiedNearer(const WorkingMesh& isotropic);
+  // Whether a mesh conforms to the facets of flat sides, and its triangles are so well shaped that
+  // isotropic ones need not be made.
+  bool areFacetsFine();
   // Whether a mesh conforms to the facets of flat sides and is better than finished isotropic
   // triangles, because these are seen to be away or hardly more even.
   bool isConformingBetter(const WorkingMesh& isotropic);
