@@ -48,7 +48,7 @@ constexpr double kChord = 1.25, kMuchWider = 10;
 constexpr double kMostOfVolume = 1e-3, kMostOfEdges = 0.98, kNearEdge = 3;
 // By how much less, in degrees on average, the angles of a mesh of facets may be: its shape is
 // exact. From kFineFacets on they are wide enough whatever others are.
-constexpr double kHardlyLess = 2, kFineFacets = 50;
+constexpr double kHardlyLess = 2, kFineFacets = 48;
 
 // Whether nothing is drawn on the surface: there isotropic triangles are worth more than half a
 // pixel.
