@@ -28,6 +28,38 @@ Side longestSide(Face f, const Triangle& corners) {
   return longest;
 }
 
+// How far the triangles at an edge are off each other's planes, as corners: the nearer of the two.
+double offPlane(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions, Halfedge h) {
+  double least = kInfinity;
+  for (const Halfedge side : {h, mesh.twin(h)}) {
+    const Vec3& origin = positions[mesh.origin(side)];
+    const Vec3 normal =
+        areaVector(origin, positions[mesh.tip(side)], positions[mesh.opposite(side)]);
+    const double twice = normal.norm();
+    if (!(twice > 0)) continue;
+    const Vec3 way = positions[mesh.opposite(mesh.twin(side))] - origin;
+    least = std::min(least, std::abs(normal.dot(way)) / twice);
+  }
+  return least;
+}
+
+// Coarse digits take flat faces farther off each other's planes than is expected of any: then their
+// edges are by themselves, far below all that bend.
+double withCoarseDigits(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
+                        double tolerance) {
+  constexpr double kCoarse = 3, kGap = 4;
+  const double coarse = kCoarse * tolerance;
+  bool areCoarse = false;
+  for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
+    const Halfedge h(i);
+    if (!mesh.isEdge(h) || mesh.isBoundary(h)) continue;
+    const double off = offPlane(mesh, positions, h);
+    if (off > coarse && off <= kGap * coarse) return tolerance;
+    areCoarse = areCoarse || (off > tolerance && off <= coarse);
+  }
+  return areCoarse ? coarse : tolerance;
+}
+
 }  // namespace
 
 FaceData<Face> bearingFaces(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions) {
@@ -111,7 +143,9 @@ double flatTolerance(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions
   if (edges == 0) return step;
   Vec3 low = positions.values().front(), high = low;
   for (const Vec3& p : positions.values()) low = low.cwiseMin(p), high = high.cwiseMax(p);
-  return std::max(step, std::min(kDigits * (high - low).norm(), kOfEdges * sum / double(edges)));
+  const double tolerance =
+      std::max(step, std::min(kDigits * (high - low).norm(), kOfEdges * sum / double(edges)));
+  return withCoarseDigits(mesh, positions, tolerance);
 }
 
 double coplanarShare(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions) {

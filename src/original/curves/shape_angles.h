@@ -31,7 +31,8 @@ double missingAngle(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
 VertexData<char> mayMiss(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions, double angle);
 
 // What is flat may be off by so much, model units: the rounding of six digits, but always a small
-// share of the edges, so that a finely divided round surface is not flat.
+// share of the edges, so that a finely divided round surface is not flat. More where some edges are
+// hardly farther off and all others far.
 double flatTolerance(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions);
 
 // The share of the area whose triangles lie in one plane with a neighbor, to that tolerance; in

@@ -200,9 +200,9 @@ Prepared::Prepared(Plan plan, const RemeshOptions& options, const Progress& prog
           ground(), options,
           withSpikes(sizeRules(options, double(plan.vertices), densityOnGround()), spikes_),
           copies_)),
-      rules_(withSpikes(finalRules(surface_, options,
-                                   sizeRules(options, double(vertices_), densityOnGround())),
-                        spikes_)),
+      rules_(withSpikes(
+          finalRules(surface_, options, sizeRules(options, double(vertices_), densityOnGround())),
+          spikes_)),
       bound_(errorBound(surface_, options)) {}
 
 std::span<const float> Prepared::densityOnGround() {

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <set>
 
+#include "mesh/mesh_builder.h"
+#include "original/curves/facets.h"
 #include "original/curves/shape_angles.h"
 #include "support/parts.h"
 #include "support/surfaces.h"
@@ -85,6 +87,24 @@ TEST_CASE("flat regions: a part has as many where it is turned and written with 
       const surfaces::Surface surface = surfaces::surface("", written);
       CHECK(coplanarShare(surface.mesh(), surface.positions()) > 0.95);
     }
+}
+
+TEST_CASE("flat regions: all quads of a tower of prisms are facets, with fixed decimals as well") {
+  const auto facetsOf = [](const TriangleMesh& mesh) {
+    const BuiltMesh built = buildMesh(mesh);
+    const FaceData<Index> facets =
+        findFacets(built.mesh, built.positions, flatTolerance(built.mesh, built.positions));
+    return std::set<Index>(facets.values().begin(), facets.values().end()).size();
+  };
+  const TriangleMesh tower = shapes::cylinder(24, 12);
+  for (const double angle : {0.3, 0.8, 1.9, 2.6}) {
+    TriangleMesh turned = tower;
+    for (Vec3& p : turned.positions) {
+      p = Eigen::AngleAxisd(angle, Vec3(1, 2, 3).normalized()) * p;
+      for (double& x : p) x = 1.37 * std::round(1e5 * x) / 1e5;  // of another unit of length
+    }
+    CHECK(facetsOf(turned) == facetsOf(tower));
+  }
 }
 
 TEST_CASE("flat regions: a triangle without area belongs to what its longest edge lies against") {
