@@ -275,12 +275,18 @@ val edgesFrom(const EdgeReport& edges) {
   return result;
 }
 
+val objectFrom(const CloseInspection& close) {
+  val result = objectFrom(close.report);
+  if (close.faults) result.set("faults", faultsFrom(*close.faults));
+  return result;
+}
+
 // wanted: { faults, edges }
-val inspectClosely(const val& mesh, const val& wanted) {
+val inspectArraysClosely(const val& mesh, const val& wanted) {
   return guarded([&] {
     const TriangleMesh given = meshFrom(mesh);
-    val result = objectFrom(inspect(given));
-    if (wanted["faults"].as<bool>()) result.set("faults", faultsFrom(findFaults(given)));
+    val result = wanted["faults"].as<bool>() ? objectFrom(inspectClosely(given))
+                                             : objectFrom(inspect(given));
     if (wanted["edges"].as<bool>()) result.set("edges", edgesFrom(findEdges(given)));
     return result;
   });
@@ -290,9 +296,9 @@ val inspectClosely(const val& mesh, const val& wanted) {
 val inspectBytes(const val& request, bool areFaultsSought, const val& onProgress) {
   return guarded([&] {
     const FileBundle bundle = bundleFrom(request);
-    val result = objectFrom(inspectFile(bundle, progressFrom(onProgress)));
-    if (areFaultsSought) result.set("faults", faultsFrom(findFaultsInFile(bundle)));
-    return result;
+    const Progress progress = progressFrom(onProgress);
+    return areFaultsSought ? objectFrom(inspectFileClosely(bundle, progress))
+                           : objectFrom(inspectFile(bundle, progress));
   });
 }
 
@@ -341,7 +347,7 @@ EMSCRIPTEN_BINDINGS(remesher_whole) {
   emscripten::function("unwrap", &unwrapArrays);
   emscripten::function("unwrapFile", &unwrapBytes);
   emscripten::function("convertFile", &convertBytes);
-  emscripten::function("inspectClosely", &inspectClosely);
+  emscripten::function("inspectClosely", &inspectArraysClosely);
   emscripten::function("inspectFile", &inspectBytes);
   emscripten::function("errorCodes", &errorCodes);
   emscripten::function("defaultOptions", &defaultOptions);

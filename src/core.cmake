@@ -171,6 +171,7 @@ set(small
   src/jobs/checks/result_check.cpp
   src/jobs/face_budget.cpp
   src/jobs/fewest_vertices.cpp
+  src/jobs/inspected_model.cpp
   src/jobs/inspected_parts.cpp
   src/jobs/level_files.cpp
   src/jobs/level_switches.cpp
@@ -190,6 +191,7 @@ set(small
   src/jobs/parts/part_unions.cpp
   src/jobs/parts/quad_diagonals.cpp
   src/jobs/parts/shape_shares.cpp
+  src/jobs/repair_room.cpp
   src/jobs/repair_words.cpp
   src/jobs/scene_run.cpp
   src/measure/distance_bound.cpp

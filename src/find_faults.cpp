@@ -1,25 +1,54 @@
 // SPDX-License-Identifier: MIT
 // What is broken, and which edges bend: found, and left as it is.
+#include <algorithm>
+#include <optional>
+#include <string>
 #include <utility>
 
-#include "io/formats.h"
+#include "jobs/inspected_model.h"
 #include "jobs/part_repair.h"
 #include "jobs/parts/part_joining.h"
+#include "jobs/repair_room.h"
 #include "jobs/run_guards.h"
 #include "measure/edge_report.h"
 #include "mesh/welding.h"
 #include "remesher.h"
 
 namespace remesher {
+namespace {
 
-FaultReport findFaults(const TriangleMesh& mesh) {
-  return faultsOf(joinedPlaces({io::Part{"", mesh, {}}}, {}));
+bool isSaid(const std::vector<Warning>& warnings) {
+  return std::any_of(warnings.begin(), warnings.end(),
+                     [](const Warning& warning) { return warning.code == "FAULTS_NOT_SOUGHT"; });
 }
 
-FaultReport findFaultsInFile(const FileBundle& input) {
-  io::Model model = io::read(input.file, input.resources);
-  return inFile(input.file.name,
-                [&] { return faultsOf(joinedPlaces(std::move(model.parts), {})); });
+// Of triangles that lie unfavourably the search takes more than their number tells.
+CloseInspection withFaults(InspectedModel model) {
+  CloseInspection close{std::move(model.report), std::nullopt};
+  std::vector<Warning>& warnings = close.report.warnings;
+  if (isSaid(warnings)) return close;
+  if (const std::optional<Warning> lacking = noRoomForFaults(model.parts)) {
+    warnings.push_back(*lacking);
+    return close;
+  }
+  try {
+    close.faults = withinMemory([&] { return faultsOf(model.parts); });
+  } catch (const Error& error) {
+    if (error.code != ErrorCode::OutOfMemory) throw;
+    warnings.push_back({"FAULTS_NOT_SOUGHT",
+                        std::string("Faults could not be looked for. ") + error.what(),
+                        close.report.input.triangles});
+  }
+  return close;
+}
+
+}  // namespace
+
+CloseInspection inspectClosely(const TriangleMesh& mesh) { return withFaults(inspectedMesh(mesh)); }
+
+CloseInspection inspectFileClosely(const FileBundle& input, const Progress& progress) {
+  InspectedModel model = inspectedFile(input.file, input.resources, progress);
+  return inFile(input.file.name, [&] { return withFaults(std::move(model)); });
 }
 
 EdgeReport findEdges(const TriangleMesh& mesh) {

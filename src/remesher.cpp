@@ -9,7 +9,7 @@
 #include "jobs/baking.h"
 #include "jobs/bare_materials.h"
 #include "jobs/checks/option_checks.h"
-#include "jobs/inspected_parts.h"
+#include "jobs/inspected_model.h"
 #include "jobs/level_files.h"
 #include "jobs/mending.h"
 #include "jobs/parts/part_joining.h"
@@ -187,32 +187,10 @@ ConvertFileResult convertFile(const FileBundle& input, const std::string& output
   return {std::move(written.files), joined(model.warnings, written.warnings)};
 }
 
-Report inspect(const TriangleMesh& mesh) {
-  PhaseClock clock;
-  clock.enter("inspect");
-  Report report;
-  std::vector<io::Part> parts = joinedPlaces({io::Part{"", mesh, {}}}, {});
-  const std::vector<Warning> settled = settleAttributes(parts);
-  report.input = inspectScaled(parts);
-  report.warnings = joined(settled, looseTriangles(report.input, parts));
-  return timed(std::move(report), clock);
-}
+Report inspect(const TriangleMesh& mesh) { return inspectedMesh(mesh).report; }
 
 Report inspectFile(const FileBundle& input, const Progress& progress) {
-  PhaseClock clock;
-  const Progress whole = progress.timedBy(clock);
-  whole.phase("read", 0, kInspectedRead);
-  io::Model model = io::read(input.file, input.resources);
-  const Progress work = whole.phase("inspect", kInspectedRead, 1);
-  Report report;
-  report.input = inFile(input.file.name, [&] {
-    model.warnings = joined(model.warnings, roomWarnings(model.parts));
-    model.parts = joinedPlaces(std::move(model.parts), {});
-    work.at(0.1);
-    return inspectScaled(model.parts, work.part(0.1, 1));
-  });
-  report.warnings = joined(model.warnings, looseTriangles(report.input, model.parts));
-  return timed(std::move(report), clock);
+  return inspectedFile(input.file, input.resources, progress).report;
 }
 
 }  // namespace remesher

@@ -4,6 +4,7 @@
 // state.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -138,9 +139,14 @@ ConvertFileResult convertFile(const FileBundle& input, const std::string& output
 Report inspect(const TriangleMesh& mesh);
 Report inspectFile(const FileBundle& input, const Progress& progress = {});
 
-// Finds what is broken, which takes longer than inspect.
-FaultReport findFaults(const TriangleMesh& mesh);
-FaultReport findFaultsInFile(const FileBundle& input);
+// A report, and what is broken, which takes longer than inspect. Without faults if there is no room
+// to look for them: the warning FAULTS_NOT_SOUGHT says why.
+struct CloseInspection {
+  Report report;
+  std::optional<FaultReport> faults;
+};
+CloseInspection inspectClosely(const TriangleMesh& mesh);
+CloseInspection inspectFileClosely(const FileBundle& input, const Progress& progress = {});
 
 // The edges of the mesh by kind.
 EdgeReport findEdges(const TriangleMesh& mesh);

@@ -83,6 +83,7 @@ add_executable(unit_tests
   tests/unit/jobs/parts/quad_diagonals_test.cpp
   tests/unit/jobs/pixel_levels_test.cpp
   tests/unit/jobs/region_run_test.cpp
+  tests/unit/jobs/repair_room_test.cpp
   tests/unit/jobs/thinned_parts_test.cpp
   tests/unit/jobs/touching_parts_test.cpp
   tests/unit/main.cpp

@@ -27,6 +27,7 @@ constexpr std::array kDiagnostics = {
     Diagnostic{"EDGES_TOO_SHORT", Severity::Loss},
     Diagnostic{"ELEMENTS_LEFT_OUT", Severity::Loss},
     Diagnostic{"EXTENSION_NOT_CARRIED", Severity::Loss},
+    Diagnostic{"FAULTS_NOT_SOUGHT", Severity::Note},
     Diagnostic{"GUIDES_FAR_AWAY", Severity::Note},
     Diagnostic{"GUIDES_MIRRORED", Severity::Note},
     Diagnostic{"GUIDES_NOT_KEPT", Severity::Loss},

@@ -14,6 +14,7 @@
 #include "jobs/part_run.h"
 #include "jobs/parts/part_joining.h"
 #include "jobs/parts/part_report.h"
+#include "jobs/repair_room.h"
 #include "jobs/run_guards.h"
 #include "measure/self_intersections.h"
 #include "remesh/schemes/chooser.h"
@@ -111,6 +112,8 @@ Mending::Mending(std::vector<io::Part>& parts, const RemeshOptions& options,
     : isGone_(parts.size(), 0) {
   for (const io::Part& part : parts) sources_.push_back(part.source);
   if (options.repair == Repair::Off && !leavesOut(options)) return;
+  // What is left out may be most of it.
+  if (!leavesOut(options)) requireRoomToRepair(parts);
   input_ = inspectScaled(parts);
   if (leavesOut(options)) dropped_.emplace();
   // A remesher rounds at its end, and makes the same mesh for every format.
@@ -131,6 +134,7 @@ void Mending::dropPieces(std::vector<io::Part>& parts, const RemeshOptions& opti
 void Mending::repair(std::vector<io::Part>& parts, const RemeshOptions& options,
                      const Progress& progress, Purpose purpose) {
   if (options.repair == Repair::Off) return;
+  requireRoomToRepair(parts);
   RemeshOptions sized = options;
   if (options.faces) sized.vertices = verticesFor(*options.faces, options, {});
   const bool isSized = purpose == Purpose::Remeshing && isByInput(options);

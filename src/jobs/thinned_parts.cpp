@@ -15,6 +15,7 @@
 #include "jobs/parts/part_lengths.h"
 #include "jobs/parts/part_places.h"
 #include "jobs/parts/part_report.h"
+#include "jobs/repair_room.h"
 #include "jobs/run_guards.h"
 #include "simplify/thin_out.h"
 
@@ -162,10 +163,14 @@ std::vector<Warning> roomWarnings(const std::vector<io::Part>& parts,
   if (haveRoom(needs, limits.addresses)) return {};
   const double fits = mostThinned(parts, limits);
   if (fits < 1) refuseSize(needs, "", limits.addresses);
-  return {{"NEEDS_THINNING",
-           "To remesh this model as it is " + needsInWords(needs, limits.addresses) + " " +
-               thinnedFor(fits) + ".",
-           std::size_t(needs.triangles)}};
+  std::vector<Warning> warnings = {{"NEEDS_THINNING",
+                                    "To remesh this model as it is " +
+                                        needsInWords(needs, limits.addresses) + " " +
+                                        thinnedFor(fits) + ".",
+                                    std::size_t(needs.triangles)}};
+  if (const std::optional<Warning> lacking = noRoomForFaults(parts, limits.addresses))
+    warnings.push_back(*lacking);
+  return warnings;
 }
 
 ThinnedParts::ThinnedParts(std::vector<io::Part>& parts, const RemeshOptions& options,

@@ -20,7 +20,8 @@ constexpr double kFinest = 1.0 / 400, kCoarsest = 1.0 / 128, kUsual = 1.0 / 200;
 // the surface with its lines, and besides; or, when the lattice is gone, for each crossing with the
 // triangles that are made there. Fitted to the peaks of 33 repairs, most of which held 0.6 to 1.2
 // times what is said, two of many thin plates and one of 2000 loose triangles up to twice.
-constexpr double kBytesPerTriangle = 300, kBytesPerPoint = 25, kBytesPerCrossing = 100;
+constexpr double kBytesPerTriangle = kRepairBytesPerTriangle;
+constexpr double kBytesPerPoint = 25, kBytesPerCrossing = 100;
 constexpr double kBytesPerMade = 400, kBytesBesides = 2.5e7;
 // The memory that a lattice is made coarser for, and the points up to which thin walls make it
 // finer: some 3 s.

@@ -177,6 +177,10 @@ test('what a repair takes is said before it begins, and too much is refused', as
   const soup = { positions: Float32Array.from({ length: 9 * 60000 }, next),
     indices: Uint32Array.from({ length: 3 * 60000 }, (_, i) => i) };
   await rejectsWith(repair(soup), 'OUT_OF_MEMORY', /takes about [\d.]+ GB of memory for this mesh/);
+  const { input, faults, warnings } = await inspect(soup, { faults: true });
+  assert.deepEqual([input.triangles, faults], [60000, undefined]);
+  assert.match(warnings.find(({ code }) => code === 'FAULTS_NOT_SOUGHT').message,
+    /^Faults could not be looked for\. .*takes about [\d.]+ GB/);
 });
 
 test('what is lost is an area with places; what keeps all loses nothing', async () => {

@@ -194,12 +194,12 @@ TEST_CASE("boolean: files of any formats, in single precision closed as they are
     for (const char* result : {"c.obj", "c.stl", "c.glb", "c.ply", "c.off"}) {
       const BooleanFilesResult run =
           booleanFiles(fileOf(a, one), fileOf(b, "b.stl"), BooleanOperation::Subtract, result);
-      const Report written = inspectFile({run.files.front(), {}});
-      CHECK(written.input.boundaryEdges == 0);
-      CHECK(written.input.triangles == run.report.output->triangles);
-      const FaultReport faults = findFaultsInFile({run.files.front(), {}});
-      CHECK(faults.selfIntersections == 0);
-      CHECK(faults.insideOut == 0);
+      const CloseInspection close = inspectFileClosely({run.files.front(), {}});
+      CHECK(close.report.input.boundaryEdges == 0);
+      CHECK(close.report.input.triangles == run.report.output->triangles);
+      REQUIRE(close.faults);
+      CHECK(close.faults->selfIntersections == 0);
+      CHECK(close.faults->insideOut == 0);
     }
 }
 

@@ -106,8 +106,9 @@ async function remeshEach({ session, panel }, { models, items }) {
 
 /** Faults are looked for while other work goes on; of models that wait for the button, on request.
  * @param {Page} page @param {{ isLarge: boolean, isCancelled: boolean }} opened */
-function findFaults({ surveying }, { isLarge, isCancelled }) {
-  if (isLarge) surveying.leaveFaults({ kind: 'large', limit: largestAutomatic });
+function findFaults({ session, surveying }, { isLarge, isCancelled }) {
+  if (!session.hasRoomForFaults) surveying.leaveFaults({ kind: 'room' });
+  else if (isLarge) surveying.leaveFaults({ kind: 'large', limit: largestAutomatic });
   else if (isCancelled) surveying.leaveFaults({ kind: 'skipped' });
   else void surveying.seekFaults();
 }

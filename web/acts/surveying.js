@@ -155,8 +155,8 @@ export class Surveying {
       const whole = this.#page.stage.viewer?.view('original');
       const edges = whole?.thinning ? await session.edgesOf(await whole.soup()) : null;
       if (edges && isCurrent()) await this.#showEdges(edges);
-      const faults = await session.faults();
-      if (isCurrent()) this.#setFaults(faults, null);
+      const { faults, hasRoom } = await session.faults();
+      if (isCurrent()) this.#setFaults(faults, hasRoom ? null : { kind: 'room' });
     } catch (error) {
       if (!(error instanceof RemeshError) && !isAbort(error)) throw error;
       if (isCurrent()) this.#setFaults(null, { kind: 'failed' });

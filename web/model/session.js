@@ -16,6 +16,9 @@ import { describe, resultOf, worked } from './result.js';
 /** The most results that are kept, and the most bytes of them. */
 const most = { results: 12, bytes: 2 ** 28 };
 
+/** @param {import('remesher').Warning[]} warnings */
+const hasRoomForFaults = (warnings) => !warnings.some(({ code }) => code === 'FAULTS_NOT_SOUGHT');
+
 export class Session {
   #controller = new AbortController();
   /** Aborted when another model comes; a cancelled run does not abort it, for the model stays. */
@@ -68,12 +71,18 @@ export class Session {
     return { report, signal };
   }
 
-  /** What is broken in the model; null if it has nothing to check. */
+  /** What is broken in the model; null if it has nothing to check, or if that has no room. */
   async faults() {
     const model = this.#opened();
     const signal = this.#stay.signal;
-    const { faults } = await inspect(model.content, { ...describe(model), faults: true, signal });
-    return faults ?? null;
+    const { faults, warnings } =
+      await inspect(model.content, { ...describe(model), faults: true, signal });
+    return { faults: faults ?? null, hasRoom: hasRoomForFaults(warnings) };
+  }
+
+  /** Whether faults could be looked for, as far as is known before. */
+  get hasRoomForFaults() {
+    return hasRoomForFaults(this.inspection?.warnings ?? []);
   }
 
   /** The edges of a surface by kind, as the core finds them; null for a surface that the core

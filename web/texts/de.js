@@ -212,6 +212,8 @@ export default {
   'faults.sought': 'Fehler werden gesucht…',
   'faults.large': 'Fehler werden nicht gesucht: Das Modell hat mehr als {limit} Punkte.',
   'faults.skipped': 'Fehler werden nicht gesucht, denn das Öffnen wurde abgebrochen.',
+  'faults.room': 'Fehler werden nicht gesucht, und nichts kann ausgebessert werden: Dafür reicht '
+    + 'der Speicher bei dieser Größe nicht.',
   'faults.failed': 'Fehler konnten nicht gesucht werden.',
   'faults.seek': 'Fehler suchen',
   'visit': 'Zeigen',

@@ -209,6 +209,8 @@ export default {
   'faults.sought': 'Faults are being looked for…',
   'faults.large': 'Faults are not looked for: the model has more than {limit} vertices.',
   'faults.skipped': 'Faults are not looked for, since the opening was cancelled.',
+  'faults.room': 'Faults are not looked for, and nothing can be repaired: memory has no room for '
+    + 'that at this size.',
   'faults.failed': 'Faults could not be looked for.',
   'faults.seek': 'Look for them',
   'visit': 'Show',

@@ -214,6 +214,8 @@ export default {
   'faults.sought': 'Recherche des défauts…',
   'faults.large': 'Les défauts ne sont pas cherchés : le modèle a plus de {limit} sommets.',
   'faults.skipped': 'Les défauts ne sont pas cherchés, car l’ouverture a été annulée.',
+  'faults.room': 'Les défauts ne sont pas cherchés et rien ne peut être réparé : à cette taille, '
+    + 'la mémoire n’y suffit pas.',
   'faults.failed': 'Les défauts n’ont pas pu être cherchés.',
   'faults.seek': 'Chercher les défauts',
   'visit': 'Montrer',

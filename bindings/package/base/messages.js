@@ -236,7 +236,8 @@
  * @property {Warning[]} warnings What was mended or left out.
  * @property {Texture[]} [textures] The images of a glTF file: of what was inspected, or of the
  *   result.
- * @property {FaultSummary} [faults] What is broken, if the inspection was asked for it.
+ * @property {FaultSummary} [faults] What is broken, if the inspection was asked for it and memory
+ *   had room for the search; else the warning `FAULTS_NOT_SOUGHT` says why.
  * @property {EdgeSummary} [edges] The edges by kind, if the inspection was asked for them.
  */
 

@@ -129,6 +129,10 @@ TEST_CASE("thinned parts: what is said of room before is what happens then") {
   CHECK(warnings[0].code == "NEEDS_THINNING");
   CHECK(warnings[0].message.find("For up to 104 vertices it is thinned out first.") !=
         std::string::npos);
+  limits.addresses = 1.4e6;
+  const std::vector<Warning> two = roomWarnings(fineSheet(), limits);
+  REQUIRE(two.size() == 2);
+  CHECK(two[1].code == "FAULTS_NOT_SOUGHT");
   limits.addresses = 0.5e6;
   CHECK_THROWS_AS(roomWarnings(fineSheet(), limits), Error);
 }

@@ -130,6 +130,8 @@ export default {
   'warning.RESOURCE_NOT_GIVEN': 'Eine Datei, auf die das Modell verweist, war nicht dabei.',
   'warning.SCRAPS_REMOVED': 'Dreiecke wurden entfernt: von kleinen offenen Komponenten, solche, '
     + 'die neben einem Loch nur in einem Punkt an der Fläche hängen, und doppelte.',
+  'warning.FAULTS_NOT_SOUGHT': 'Fehler werden nicht gesucht, und nichts kann ausgebessert werden: '
+    + 'Dafür reicht der Speicher nicht.',
   'warning.GUIDES_FAR_AWAY': 'Führungslinien liegen weiter als 1 % der Diagonale von der Fläche '
     + 'weg: die Vierecke folgen den nächsten Stellen auf ihr.',
   'warning.GUIDES_MIRRORED': 'Die Vierecke sind gespiegelt, und Führungslinien mit ihnen.',

@@ -120,6 +120,8 @@ export default {
   'warning.RESOURCE_NOT_GIVEN': 'Un fichier auquel le modèle renvoie n’a pas été donné.',
   'warning.SCRAPS_REMOVED': 'Des triangles ont été retirés : ceux de petites composantes ouvertes, '
     + 'ceux qui, près d’un trou, ne touchent la surface qu’en un point, et les doubles.',
+  'warning.FAULTS_NOT_SOUGHT': 'Les défauts ne sont pas cherchés et rien ne peut être réparé : la '
+    + 'mémoire n’y suffit pas.',
   'warning.GUIDES_FAR_AWAY': 'Des lignes guides sont à plus de 1 % de la diagonale de la '
     + 'surface : les quads suivent les points les plus proches sur elle.',
   'warning.GUIDES_MIRRORED': 'Les quads sont symétriques, et les lignes guides avec eux.',

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// A mesh or a file with the report on it, for who looks at it more closely.
+#pragma once
+
+#include <vector>
+
+#include "base/file.h"
+#include "base/progress.h"
+#include "base/report.h"
+#include "base/triangle_mesh.h"
+#include "io/model/model.h"
+
+namespace remesher {
+
+struct InspectedModel {
+  std::vector<io::Part> parts;  // places that are meant to be one are joined
+  Report report;
+};
+
+// Throws the Errors of requireValid, and OUT_OF_MEMORY for what has no room in any way.
+InspectedModel inspectedMesh(const TriangleMesh& mesh);
+// The same, and the Errors of io::read.
+InspectedModel inspectedFile(const File& file, const std::vector<File>& resources,
+                             const Progress& progress);
+
+}  // namespace remesher
