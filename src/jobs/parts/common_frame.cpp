@@ -159,8 +159,8 @@ bool keepsShape(const std::vector<io::Part>& parts, const CommonFrame& frame) {
             kShare * before.norm())
           return false;
       }
-      if (flatness(given[0], given[1], given[2]) > kFlattest &&
-          flatness(here[0], here[1], here[2]) <= kFlattest)
+      if (flatness(here[0], here[1], here[2]) <= kFlattest &&
+          flatness(given[0], given[1], given[2]) > kFlattest)
         return false;
     }
   }

@@ -17,6 +17,9 @@ constexpr double kFlat = 0.07;
 constexpr double kTooLong = 1.7;
 constexpr double kStep = 1.2;  // from pass to pass; this removes a third of the vertices
 constexpr int kLargestValence = 9;
+// When fewer vertices than this share have gone, the next pass notes where others go, and the one
+// after it looks only there.
+constexpr double kFew = 1.0 / 12;
 
 class Decimation {
  public:
@@ -25,12 +28,18 @@ class Decimation {
         mesh_(mesh.mesh()),
         rule_(rule),
         spacing_(spacing),
-        into_(mesh_.vertexCapacity()) {}
+        into_(mesh_.vertexCapacity()),
+        noted_(mesh_.vertexCapacity(), 0) {}
 
   void run() {
     for (share_ = std::max(kRoundOff, kStep * meanShare()); share_ < 1; share_ *= kStep) pass();
     share_ = 1;
-    while (pass() > 0) {
+    std::size_t gone = pass();
+    while (gone > 0) {
+      ++number_;
+      isNoted_ = isNoting_;
+      isNoting_ = isNoting_ || double(gone) < kFew * double(mesh_.vertexCount());
+      gone = pass();
     }
   }
 
@@ -79,11 +88,16 @@ class Decimation {
     touched_.assign(mesh_.vertexCapacity(), 0);
     for (Index i = 0; i < mesh_.vertexCapacity(); ++i) {
       const Vertex v(i);
-      if (touched_[v] || !mesh_.isAlive(v) || working_.kind(v) != VertexKind::Interior) continue;
+      if (touched_[v] || isUnchanged(v)) continue;
+      if (!mesh_.isAlive(v) || working_.kind(v) != VertexKind::Interior) continue;
       gone += takeOut(v);
     }
     return gone;
   }
+
+  // Whether v, at this share, would stay for what it stayed for in the pass before: neither its
+  // star nor any of its neighbours' has changed since.
+  bool isUnchanged(Vertex v) const { return isNoted_ && noted_[v] + 1 < number_; }
 
   // Removes v if it may go. Returns whether it has gone.
   bool takeOut(Vertex v) {
@@ -143,17 +157,27 @@ class Decimation {
     into_[gone] = remaining;
     touched_[remaining] = 1;
     mesh_.forEachNeighbor(remaining, [&](Vertex w) { touched_[w] = 1; });
+    if (isNoting_) note(remaining);
     return true;
+  }
+
+  void note(Vertex centre) {
+    mesh_.forEachNeighbor(centre, [&](Vertex v) {
+      mesh_.forEachNeighbor(v, [&](Vertex w) { noted_[w] = number_; });
+    });
   }
 
   WorkingMesh& working_;
   const HalfedgeMesh& mesh_;
   const FidelityRule& rule_;
   const VertexData<double>& spacing_;
-  double share_ = 1;           // of the spacing, in the present pass
-  VertexData<char> touched_;   // whether the star has changed in the present pass
-  VertexData<Vertex> into_;    // the vertex it went into, which may be gone since; or none
-  std::vector<Spoke> spokes_;  // of the vertex that is looked at, counterclockwise
+  double share_ = 1;          // of the spacing, in the present pass
+  VertexData<char> touched_;  // whether the star has changed in the present pass
+  VertexData<Vertex> into_;   // the vertex it went into, which may be gone since; or none
+  VertexData<int> noted_;     // the last pass that noted a change near it
+  int number_ = 1;            // of the present pass at the full spacing
+  bool isNoting_ = false, isNoted_ = false;  // of the present pass, and of the one before
+  std::vector<Spoke> spokes_;                // of the vertex that is looked at, counterclockwise
   LocalChange change_;
 };
 
