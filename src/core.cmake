@@ -292,6 +292,7 @@ set(small
   src/remesh/quads/quad_sizes.cpp
   src/remesh/quads/shape/chords.cpp
   src/remesh/quads/shape/collapse.cpp
+  src/remesh/quads/shape/curve_lengths.cpp
   src/remesh/quads/shape/fair_system.cpp
   src/remesh/quads/shape/fairing.cpp
   src/remesh/quads/shape/finish.cpp

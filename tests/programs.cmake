@@ -185,6 +185,7 @@ add_executable(unit_tests
   tests/unit/remesh/quads/quads_test.cpp
   tests/unit/remesh/quads/shape/chords_test.cpp
   tests/unit/remesh/quads/shape/collapse_test.cpp
+  tests/unit/remesh/quads/shape/curve_lengths_test.cpp
   tests/unit/remesh/quads/shape/fair_system_test.cpp
   tests/unit/remesh/quads/shape/fairing_test.cpp
   tests/unit/remesh/quads/shape/mending_test.cpp

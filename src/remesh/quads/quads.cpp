@@ -16,6 +16,7 @@
 #include "remesh/quads/pair/box_quads.h"
 #include "remesh/quads/pair/pairing.h"
 #include "remesh/quads/quad_sizes.h"
+#include "remesh/quads/shape/curve_lengths.h"
 #include "remesh/quads/shape/fairing.h"
 #include "remesh/quads/shape/finish.h"
 #include "remesh/quads/shape/plane_sides.h"
@@ -224,6 +225,7 @@ class QuadMaking {
     }
     if (goal_.isForced && partFromImages(best->mesh, goal_.mirrors, bases_.first()) > 0)
       settle(best->mesh, bases_.first());
+    if (!goal_.isGraded) keepCurveLengths(best->mesh, bases_.first());
     if (!goal_.isDraft) {
       reachTips(best->mesh, bases_.first(), kSmoothingSweeps);
       fair(best->mesh, bases_.first());
