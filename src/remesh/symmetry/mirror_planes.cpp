@@ -100,10 +100,53 @@ class PlaneSearch {
     for (Eigen::Index axis = 0; axis < 3; ++axis) tryAxis(Vec3::Unit(axis));
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments_.squares);
     for (Eigen::Index i = 0; i < 3; ++i) tryAxis(solver.eigenvectors().col(i));
+    for (std::size_t i = first.empty() ? 1 : planes_.size(); i < planes_.size(); ++i)
+      for (std::size_t k = 0; k < i; ++k) turnToVertices(planes_[k], planes_[i]);
     return std::move(planes_);
   }
 
  private:
+  // Through vertices of a polygon around the planes' line, rather than through the middles of its
+  // sides: quads have vertices on planes, and would cut the polygon's corners off. Not of a square,
+  // whose corners are corners of quads, not on a line of them.
+  void turnToVertices(MirrorPlane& one, MirrorPlane& other) {
+    const Eigen::Vector2d way = towardsVertex(one, other);
+    const Vec3 middle = one.offset * one.normal + other.offset * other.normal;
+    const auto turned = [&](const Vec3& x, const Vec3& y) {
+      const Vec3 normal = way.x() * x + way.y() * y;
+      return MirrorPlane{normal, normal.dot(middle)};
+    };
+    const MirrorPlane first = turned(one.normal, other.normal),
+                      second = turned(other.normal, -one.normal);
+    constexpr double kOctagon = 0.5;  // above the tangent of 22.5°
+    if (way.y() == 0 || way.y() > kOctagon * way.x()) return;
+    if (!isMirror(first) || !isMirror(second)) return;
+    one = first;
+    other = second;
+  }
+
+  // From the line of two planes towards the next of the vertices that are farthest from it, along
+  // their normals; the planes lie at right angles, so that all four quarters are one. (1, 0) if
+  // such a vertex lies on a plane.
+  Eigen::Vector2d towardsVertex(const MirrorPlane& one, const MirrorPlane& other) const {
+    constexpr double kNear = 1e-6;
+    std::vector<Eigen::Vector2d> ways;
+    double farthest = 0;
+    for (const Index v : mesh_.indices) {
+      const double x = one.distance(mesh_.positions[v]), y = other.distance(mesh_.positions[v]);
+      ways.emplace_back((x < 0) == (y < 0) ? Eigen::Vector2d(std::abs(x), std::abs(y))
+                                           : Eigen::Vector2d(std::abs(y), std::abs(x)));
+      farthest = std::max(farthest, ways.back().norm());
+    }
+    Eigen::Vector2d least(0, 1);
+    for (const Eigen::Vector2d& way : ways) {
+      if (way.norm() < (1 - kNear) * farthest) continue;
+      if (way.minCoeff() <= kNear * farthest) return {1, 0};
+      if (way.y() * least.x() < least.y() * way.x()) least = way.normalized();
+    }
+    return least;
+  }
+
   // To all planes that were found.
   bool isAtRightAngles(const Vec3& normal) const {
     return std::all_of(planes_.begin(), planes_.end(), [&](const MirrorPlane& plane) {

@@ -3,6 +3,9 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "support/shapes.h"
 
 using namespace remesher;
@@ -59,5 +62,22 @@ TEST_CASE("mirror planes: bent faces of four corners may be cut along either dia
     TriangleMesh bumped = saddle;
     bumped.positions[bumped.indices[0]].z() += 0.01;
     CHECK(findMirrorPlanes(bumped, 1e-6).empty());
+  }
+}
+
+TEST_CASE("mirror planes: they pass through the edges of a polygon, but not of a square") {
+  for (const int sides : {4, 8, 12}) {
+    TriangleMesh prism;  // turned so that the axes pass through the middles of its sides
+    const Eigen::AngleAxisd turn(std::numbers::pi / sides, Vec3::UnitZ());
+    shapes::addSheet(prism, sides, 3, [&](int k, int row) {
+      return Vec3(turn * (shapes::onCircle(k, sides) + row * Vec3::UnitZ()));
+    });
+    const std::vector<MirrorPlane> planes = findMirrorPlanes(prism, 1e-6);
+    REQUIRE(planes.size() == 3);
+    std::size_t onPlanes = 0;
+    for (const MirrorPlane& plane : planes)
+      for (const Vec3& p : prism.positions)
+        onPlanes += plane.normal.z() == 0 && std::abs(plane.distance(p)) < 1e-9;
+    CHECK((onPlanes > 0) == (sides > 4));
   }
 }
