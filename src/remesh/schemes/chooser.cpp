@@ -101,6 +101,13 @@ constexpr std::array kRules = {
          Candidate::Isotropic,
          "Isotropic triangles do not visibly change the shape."},
     Rule{Decision::Surface,
+         "resampled",
+         {is(Fact::MoreThanInput)},
+         Candidate::Isotropic,
+         "With more vertices than the input has, isotropic triangles resample its facets and are "
+         "seen to be away: only the input's own triangles, as with its number or `prefer: shape`, "
+         "are not."},
+    Rule{Decision::Surface,
          "isotropic",
          {},
          Candidate::Isotropic,

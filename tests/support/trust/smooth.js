@@ -11,6 +11,12 @@ const exact = 1e-6; // % of the diagonal: nothing but rounding
 const reasons = ['TOO_FEW_VERTICES', 'MAX_ERROR_EXCEEDED', 'SHAPE_LOST_TO_ROUNDING',
   'SPIKES_LEFT_COARSE', 'JOINTS_RELEASED', 'SHAPE_SIMPLIFIED'];
 
+/** A rule of the report's that another mesh was taken than by the neighbour's rule, and why. */
+const otherMesh = 'resampled';
+
+const tookOther = (low, high) => high.chosen?.some(({ rule }) => rule === otherMesh)
+  && !low.chosen?.some(({ rule }) => rule === otherMesh);
+
 /**
  * The broken laws. @param {{ asked: number, report: any }[]} runs of neighbouring numbers
  */
@@ -21,7 +27,8 @@ export function lawsOfNeighbours(runs) {
       .sort((a, b) => a.report.fidelity.hausdorff - b.report.fidelity.hausdorff);
     const [low, high] = pair.map(({ report }) => report.fidelity.hausdorff);
     const isSaid = pair[1].report.stopped !== 'target' || pair[1].report.warnings.some(
-      (/** @type {any} */ { code }) => reasons.includes(code));
+      (/** @type {any} */ { code }) => reasons.includes(code))
+      || tookOther(pair[0].report, pair[1].report);
     const own = pair[0].report.input?.vertices;
     const isWhole = pair[0].asked === own || (low < exact && pair[0].asked < own);
     const isTooFew = isWhole && pair[1].asked < pair[0].asked;
