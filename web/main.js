@@ -35,12 +35,18 @@ let featureAngle = page.panel.featureAngle;
 
 function move() {
   if (page.panel.featureAngle !== featureAngle) page.surveying.followFeatures();
-  featureAngle = page.panel.featureAngle;
+  forgetAngle();
   steering.move();
+}
+
+/** What the form holds is not the visitor's own change of an angle. */
+function forgetAngle() {
+  ({ featureAngle } = page.panel);
 }
 
 function run() {
   steering.stop();
+  forgetAngle();
   return page.busy(() => remesh(page));
 }
 
@@ -55,7 +61,10 @@ function take(items, source) {
   const { values } = wished;
   steering.stop();
   wished = { model: null, values: {} };
-  void open(page, items, { source, wished: values, onForm: () => steering.begin() });
+  void open(page, items, { source, wished: values, onForm: () => {
+    steering.begin();
+    forgetAngle();
+  } });
 }
 
 onLanguage(() => {

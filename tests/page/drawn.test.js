@@ -4,7 +4,10 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import { inspect, remesh } from 'remesher';
-import { BufferAttribute, BufferGeometry, Color, Mesh } from 'three';
+import {
+  Box3, BoxGeometry, BufferAttribute, BufferGeometry, Color, Group, Mesh, MeshStandardMaterial,
+  Texture, Vector3,
+} from 'three';
 
 import { angleColors } from '../../web/base/colors.js';
 import { irregularVertices } from '../../web/survey/irregular.js';
@@ -15,6 +18,7 @@ import { outlineOf, polygonsOf } from '../../web/triangles/polygons.js';
 import { soupOf } from '../../web/triangles/soup.js';
 import { colorByAngle } from '../../web/triangles/triangle_angles.js';
 import { clearance } from '../../web/view/clearance.js';
+import { ModelView } from '../../web/view/model_view.js';
 import { torus } from '../support/shape_files.js';
 import { torus as torusArrays } from '../support/shapes.js';
 
@@ -44,6 +48,19 @@ test('quads are drawn without diagonals, and dots are where not four of them mee
   assert.equal(valences.reduce((sum, valence) => sum + 4 - valence, 0), 0);
   delete mesh.userData.gltfExtensions;
   assert.equal(polygonsOf(mesh), null);
+});
+
+test('a normal map that is all there is to see is seen on clay', () => {
+  const views = [{}, { map: new Texture() }].map((more) => {
+    const mesh = new Mesh(new BoxGeometry(), new MeshStandardMaterial(
+      { normalMap: new Texture(), ...more }));
+    new ModelView({ scene: new Group().add(mesh), bounds: new Box3().setFromObject(mesh),
+      origin: new Vector3(), front: null }, 'red', null).setShading('plain');
+    return mesh.material;
+  });
+  assert.ok(views[0].normalMap, 'the relief');
+  assert.equal(views[1].normalMap, null, 'of what has colours the triangles are looked at');
+  assert.ok(views.every(({ color, map }) => color.getHexString() === 'ff0000' && !map));
 });
 
 test('a quad has two strokes through its middle, along its directions and within it', () => {

@@ -10,7 +10,7 @@ import { strFromU8, unzipSync } from 'fflate';
 import { barriers } from '../support/barriers.js';
 import { overlappingBoxes } from '../support/broken_shapes.js';
 import { drop, opened, saved, settled, visit } from '../support/browser_page.js';
-import { download, eachPurpose, ring, said, verdict } from '../support/doors.js';
+import { choose, download, eachPurpose, ring, said, verdict } from '../support/doors.js';
 import { placesOf } from '../support/mesh_files.js';
 import { glbBytes, torus } from '../support/shape_files.js';
 import { stl } from '../support/shapes.js';
@@ -66,6 +66,51 @@ test('what is broken is repaired without remeshing, and said', async () => {
   await page.click('#other-formats');
   assert.ok(await page.isVisible('.takeaway'));
   await page.click('#expert > summary');
+});
+
+test('while another result is made, the one before cannot be saved as if it were it', async () => {
+  const wasSavable = await page.evaluate(() => {
+    const savers = () => [...document.querySelectorAll('.savers button')];
+    document.getElementById('purpose-simulation').click();
+    return savers().some((button) => !button.disabled);
+  });
+  assert.equal(wasSavable, false);
+  await verdict(page);
+  assert.equal(await page.locator('.savers button:enabled').count(), 3, 'and two for solvers');
+});
+
+test('another edge length is no wish to see creases; too long a one is said so', async () => {
+  await page.fill('#amount', '50');
+  await page.press('#amount', 'Enter');
+  await page.waitForSelector('#error:visible');
+  await settled(page);
+  assert.match(await page.textContent('#error'), /shorter edge length/);
+  assert.equal(await page.getAttribute('#features', 'aria-pressed'), 'false');
+});
+
+test('what closes a hole is surface that was added, not shape that was lost', async () => {
+  const { positions, indices } = ring;
+  await drop(page, { 'open.stl': stl({ positions, indices: indices.slice(0, -360) }) });
+  await opened(page, 'open.stl');
+  const text = await choose(page, 'print');
+  assert.match(text, /Closed.*\nSurface was added.*\n/);
+  assert.match(text, /Repaired: 2 holes closed\./);
+  assert.doesNotMatch(text, /lost/);
+  assert.match(await page.textContent('#verdict-short'), /^Closed · surface added · /);
+});
+
+test('a model that has fewer vertices than its shape needs is opened all the same', async () => {
+  const box = (x, y) => [0, 1].flatMap((k) => [0, 1].flatMap((j) => [0, 1].map((i) =>
+    `v ${x + i} ${y + j} ${k}`)));
+  const sides = ['1 3 4 2', '5 6 8 7', '1 2 6 5', '3 7 8 4', '1 5 7 3', '2 4 8 6'];
+  const further = sides.map((side) => side.replace(/\d/g, (v) => ` ${Number(v) + 8}`));
+  await drop(page, { 'touching.obj': [...box(0, 0), ...box(1, 1),
+    ...[...sides, ...further].map((side) => `f ${side}`), ''].join('\n') });
+  await opened(page, 'touching.obj');
+  const text = await verdict(page);
+  assert.equal(await page.isVisible('#error'), false);
+  assert.match(text, /^Closed, but more than two triangles meet at 1 edge\./);
+  assert.match(await page.textContent('#landmark-nonManifold'), /^1 non-manifold edge$/);
 });
 
 test('a unit is kept with the model, and numbers follow it; glTF is metres', async () => {

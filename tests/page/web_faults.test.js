@@ -48,6 +48,22 @@ test('a file that cannot be read leaves the model and its faults', async () => {
   assert.ok(await page.isVisible('#landmark-innerShells'));
 });
 
+test('where a purpose is chosen while a model opens, faults are looked for, too', async () => {
+  await page.evaluate(() => {
+    const observer = new MutationObserver(() => {
+      const door = document.getElementById('purpose-asset');
+      const name = document.getElementById('model-name').textContent;
+      if (name !== 'chosen.stl' || door.disabled) return;
+      observer.disconnect();
+      door.click();
+    });
+    observer.observe(document.getElementById('model-size'), { childList: true });
+  });
+  await drop(page, { 'chosen.stl': stl(nestedBoxes(2)) });
+  await opened(page, 'chosen.stl');
+  await page.waitForSelector('#landmark-innerShells');
+});
+
 test('where the opening is cancelled, faults are looked for on request', async () => {
   await cancelAtOnce(page);
   await drop(page, { 'shells.stl': stl(nestedBoxes(2)) });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Opens a model: finds it among the files, reads and shows it, and remeshes it if that is quick.
+import { RemeshError } from 'remesher';
 import { byId } from '../base/dom.js';
 import { t } from '../base/i18n.js';
 import { unpacked } from '../files/archives.js';
@@ -72,18 +73,28 @@ function setForm({ panel, session }, wished) {
   panel.setValues(wished);
 }
 
+/** Whether the model's own number is too small: the visitor has not asked for it.
+ * @param {unknown} error */
+const isTooFew = (error) => error instanceof RemeshError
+  && (error.code === 'TARGET_TOO_SMALL' || error.code === 'TARGET_BELOW_CURVES');
+
 /** Remeshes by the form. Where that asks for the model's own number of vertices, and these are too
  * few for isotropic triangles, as many as these need are tried, unless the address names a number.
  * @param {Page} page @param {{ wished: Values, onForm: () => void }} opening */
 async function remeshAtFirst(page, { wished, onForm }) {
-  await remesh(page);
-  const { shown, inspection } = page.session;
-  const own = inspection?.input.vertices ?? Infinity;
-  const { vertices, prefer } = shown?.values ?? {};
+  const { session, panel } = page;
+  const own = session.inspection?.input.vertices ?? Infinity;
+  const { vertices, prefer } = panel.values();
   const isFree = !('vertices' in wished) && vertices === own && prefer !== 'shape'
-    && !wished.purpose;
-  if (!isFree || own > largestRaised || !shown?.report.prefer?.includes('shape')) return;
-  await remeshToEnough(page, onForm);
+    && !wished.purpose && own <= largestRaised;
+  try {
+    await remesh(page);
+  } catch (error) {
+    if (!isFree || !isTooFew(error)) throw error;
+    await remeshToEnough(page, onForm);
+    return;
+  }
+  if (isFree && session.shown?.report.prefer?.includes('shape')) await remeshToEnough(page, onForm);
 }
 
 /** @param {Page} page @param {{ models: PathedFile[], items: PathedFile[] }} found */
@@ -147,7 +158,7 @@ export function open(page, coming, { source, wished, onForm }) {
     onForm();
     announce(t('opened', { name: model.name, facts: modelFacts(report) }));
     const isLarge = report.input.vertices > largestAutomatic;
-    opened = { model, isLarge, isCancelled: signal.aborted };
+    opened = { model, isLarge, isCancelled: session.isCancelled };
     if (isLarge || signal.aborted) return;
     await remeshAtFirst(page, { wished, onForm });
   }).then(() => { if (opened && opened.model === session.model) findFaults(page, opened); });

@@ -5,6 +5,7 @@ import { byId } from '../base/dom.js';
 import { timeLeft, words } from '../base/format.js';
 import { t, textIfAny } from '../base/i18n.js';
 import { Session } from '../model/session.js';
+import { setSavable } from '../panel/downloads.js';
 import { announce, isAbort, showError, showNews, showProgress } from '../panel/messages.js';
 import { Panel } from '../panel/panel.js';
 import { Stage } from '../view/stage.js';
@@ -63,6 +64,7 @@ export class Page {
     this.panel.setState(state);
     document.body.dataset.state = state;
     showProgress(state === 'busy' ? { phase: t('preparing'), fraction: 0 } : null);
+    if (state === 'idle') setSavable(Boolean(this.session.shown?.number));
   }
 
   /** Runs a job, sets the page's state meanwhile, and shows the job's error. The end of a job that

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Starts a run and shows its result, with the report, the history and the ways to save.
 import { targetNames } from 'remesher/options';
-import { byId } from '../base/dom.js';
+import { byId, element } from '../base/dom.js';
 import { count, degrees } from '../base/format.js';
 import { t } from '../base/i18n.js';
 import { writeAddress } from '../model/address.js';
 import { distanceView } from '../report/distance_view.js';
 import { historyView, resultName } from '../report/history_view.js';
 import { landmarkOf } from '../report/landmarks.js';
-import { mapsView } from '../report/maps_view.js';
+import { mapsView, mapTitles } from '../report/maps_view.js';
+import { setSavable } from '../panel/downloads.js';
 import { announce } from '../panel/messages.js';
 import { openExpert } from '../panel/expert.js';
 import { exactFrom, isRepairOnly } from '../model/purposes.js';
@@ -16,7 +17,7 @@ import { reportView } from '../report/report_view.js';
 import { takeawayView } from '../report/takeaway.js';
 import { verdictInShort, verdictView } from '../report/verdict.js';
 import { unitOption } from './measures.js';
-import { downloadFormat, downloadLabel, savingActs } from './saving.js';
+import { besides, downloadFormat, downloadLabel, savingActs } from './saving.js';
 
 /** @typedef {import('./page.js').Page} Page */
 /** @typedef {import('../model/result.js').Result} Result */
@@ -65,13 +66,14 @@ function showVerdict(page) {
   const { session, surveying, panel } = page;
   const { shown, model, inspection } = session;
   if (!shown || !model) return;
-  const format = downloadFormat(model.name);
+  const format = downloadFormat(model.name, shown.values);
   const size = shown.sizeIn(format);
   const { triangles, quads } = shown.report.output;
   const judged = { report: shown.report, values: shown.values, scale: surveying.scale,
     diagonal: surveying.diagonal, largest: largestOf(page, shown),
     exact: exactFrom(surveying.corners, inspection?.input.triangles ?? 0),
-    edges: surveying.distances?.edges, format, size, original: model.size };
+    edges: surveying.distances?.edges, maps: shown.number ? mapTitles(shown) : [], format, size,
+    original: model.size };
   byId('verdict', HTMLElement).replaceChildren(verdictView(judged, {
     onLargest: () => surveying.visitLargest(),
     onPlace: (place) => surveying.visitPlace(place),
@@ -80,21 +82,24 @@ function showVerdict(page) {
     onExact: () => panel.runWith({ ...noTarget, faces: judged.exact }),
     onMore: () => panel.runWith({ ...noTarget,
       faces: 2 * (quads?.count ?? triangles) }),
+    onMaps: () => openExpert('.maps'),
     onNotes: () => openExpert('#result'),
   }));
   byId('verdict-short', HTMLElement).textContent = verdictInShort(judged);
   byId('verdict', HTMLElement).hidden = false;
-  const button = byId('download', HTMLButtonElement);
-  button.replaceChildren(...downloadLabel(format, size));
-  button.disabled = !shown.number;
+  byId('download', HTMLButtonElement).replaceChildren(...downloadLabel(format, size));
+  byId('besides', HTMLElement).replaceChildren(...besides(format, shown.values).map((other) =>
+    element('button', { type: 'button', onclick: () => savingActs(page, shown).onFormat(other) },
+      other.toUpperCase())));
+  setSavable(shown.number > 0);
   byId('download-bar', HTMLElement).hidden = false;
 }
 
-/** Saves the shown result in the model's own format. @param {Page} page */
+/** Saves the shown result in the format on the button. @param {Page} page */
 export async function saveShown(page) {
   const { shown, model } = page.session;
   if (!shown?.number || !model) return;
-  await savingActs(page, shown).onFormat(downloadFormat(model.name));
+  await savingActs(page, shown).onFormat(downloadFormat(model.name, shown.values));
 }
 
 /** The views to save a result and its maps. @param {Page} page @param {Result} result */
@@ -188,6 +193,7 @@ function done({ vertices, minAngle, quads }) {
 export async function remesh(page, extra = {}) {
   const { session, panel } = page;
   const values = panel.values();
+  setSavable(false);  // what is shown is not what was asked for
   history.replaceState(null, '', writeAddress(session.source, values));
   const more = isRepairOnly(values) ? {} : { ...extra, ...await page.painting.option(),
     ...page.guiding.option() };
@@ -197,7 +203,8 @@ export async function remesh(page, extra = {}) {
 }
 
 /** Makes a result with the number of vertices left open. If it has more than the model, as even
- * triangles need, it takes the place of all results, and its number that of the first.
+ * triangles need, or there is none yet, it takes the place of all results, and its number that of
+ * the first.
  * @param {Page} page @param {() => void} onForm the form has that number */
 export async function remeshToEnough(page, onForm) {
   const { session, panel } = page;
@@ -205,7 +212,8 @@ export async function remeshToEnough(page, onForm) {
   delete open.vertices;
   const result = await session.attempt(open);
   const { warnings, output } = result.report;
-  if (!warnings.some(({ code }) => code === 'MORE_VERTICES_TAKEN')) return;
+  const isMore = warnings.some(({ code }) => code === 'MORE_VERTICES_TAKEN');
+  if (session.shown && !isMore) return;
   panel.setEnough(output.vertices);
   result.values = panel.values();
   onForm();

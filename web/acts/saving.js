@@ -10,17 +10,29 @@ import { packed } from '../files/archives.js';
 import { extensionOf } from '../files/files.js';
 import { download } from '../panel/downloads.js';
 import { announce, showNews } from '../panel/messages.js';
+import { trianglesOnly } from '../model/losses.js';
 import { unitOption } from './measures.js';
 
 /** @typedef {import('./page.js').Page} Page */
 /** @typedef {import('../files/files.js').NamedBytes} NamedBytes */
 /** @typedef {import('../model/result.js').Result} Result */
 
-/** The format in which a result is saved first: the model's own. @param {string} name */
-export function downloadFormat(name) {
+/** The format in which a result is saved first: the model's own, unless that cuts quads in two.
+ * @param {string} name of the model @param {import('../model/address.js').Values} values */
+export function downloadFormat(name, { quads }) {
   const own = extensionOf(name);
+  if (quads && trianglesOnly.includes(own)) return 'obj';
   return formats.find((format) => format === own) ?? formats[0];
 }
+
+/** What other programs take for each purpose, but glTF, whose quads few programs read. */
+const formatsFor = /** @type {Record<string, string[]>} */ ({
+  asset: ['glb'], print: ['3mf'], simulation: ['msh', 'inp'], quads: ['obj'] });
+
+/** The formats that are offered beside the first. @param {string} first
+ * @param {import('../model/address.js').Values} values */
+export const besides = (first, { purpose }) =>
+  (formatsFor[String(purpose)] ?? []).filter((format) => format !== first);
 
 /** The words on the button that saves. @param {string} format @param {number | null} size bytes */
 export const downloadLabel = (format, size) => [
@@ -92,7 +104,8 @@ function cardOf({ session: { model, shown }, surveying }, result) {
   const { scale: { name, size }, diagonal, distances } = surveying;
   const percent = card.distance?.percent
     ?? (result === shown && distances ? 100 * distances.largest / diagonal : undefined);
-  const bytes = result.sizeIn(downloadFormat(model?.name ?? '')) ?? card.after.bytes;
+  const bytes = result.sizeIn(downloadFormat(model?.name ?? '', result.values))
+    ?? card.after.bytes;
   return { ...card, after: { ...card.after, bytes },
     ...(percent === undefined ? {} : { distance: { percent,
       length: percent / 100 * diagonal / size, ...(name ? { unit: name } : {}) } }) };

@@ -42,9 +42,17 @@ export function onLanguage(listener) {
 /** The text in the visitor's language, else in English, if any. @param {string} key */
 export const textIfAny = (key) => texts[key] ?? /** @type {Record<string, string>} */ (en)[key];
 
+/** A text with two forms, of one and of many, is written `one|many`; `count` decides.
+ * @param {string} text @param {Filling} filling */
+function formOf(text, { count }) {
+  const [one, many = one] = text.split('|');
+  return String(count) === '1' ? one : many;
+}
+
 /** @param {TextKey} key @param {Filling} [filling] values that replace {names} in the text */
 export function t(key, filling = {}) {
-  return textIfAny(key).replace(/\{(\w+)\}/g, (whole, name) => String(filling[name] ?? whole));
+  return formOf(textIfAny(key), filling)
+    .replace(/\{(\w+)\}/g, (whole, name) => String(filling[name] ?? whole));
 }
 
 /** Writes the texts that elements ask for. @param {ParentNode} root */

@@ -5,6 +5,9 @@
 /** `loss.KIND` in the texts; count: of what is lost, where that is a number.
  * @typedef {{ kind: 'quads' | 'parts' | 'scene' | 'looks', count: number }} Loss */
 
+/** The formats that hold no faces of four corners. */
+export const trianglesOnly = ['stl', '3mf'];
+
 /** The primitives that the scene shows: one for each part and material. @param {any} tree */
 function primitivesOf({ nodes = [], meshes = [] }) {
   return nodes.flatMap((/** @type {any} */ { mesh }) => meshes[mesh]?.primitives ?? []);
@@ -29,7 +32,7 @@ export function lossesIn(tree, format) {
   const isQuads = tree.extensionsUsed?.includes('FB_ngon_encoding');
   /** @type {[Loss['kind'], boolean][]} */
   const kinds = [
-    ['quads', format === 'stl' && isQuads],
+    ['quads', trianglesOnly.includes(format) && isQuads],
     ['parts', format !== 'obj' && primitives.length > 1],
     ['looks', hasLooks(tree)],
     ['scene', hasScene(tree)],

@@ -7,7 +7,7 @@ import { formats } from 'remesher/formats';
 import { repairNames } from 'remesher/options';
 import { extensionOf } from '../files/files.js';
 import { openGlb } from '../files/glb.js';
-import { lossesIn } from './losses.js';
+import { lossesIn, trianglesOnly } from './losses.js';
 import { nameFor } from './names.js';
 import { isRepairOnly, optionsIn } from './purposes.js';
 
@@ -49,6 +49,7 @@ function formatOfRun({ name, bytes }, options) {
   const own = extensionOf(name);
   if (options.quality === 'draft') return 'glb';
   if (mayPaint(own, options)) return 'gltf';
+  if (options.quads && trianglesOnly.includes(own)) return 'obj';
   const isRounded = own === 'ply' && isWhole(bytes);
   return ownFormats.includes(own) && !isRounded ? own : 'glb';
 }

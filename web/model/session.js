@@ -26,6 +26,8 @@ export class Session {
   /** @type {(event: ProgressEvent) => void} */
   #onProgress;
   #runs = 0;
+  /** Whether the visitor ended the last job, and not the next one. */
+  isCancelled = false;
   /** @type {Model | null} */
   model = null;
   /** The model's name in the address; null for the visitor's own file. @type {string | null} */
@@ -48,11 +50,13 @@ export class Session {
 
   #begin() {
     this.cancel();
+    this.isCancelled = false;
     this.#controller = new AbortController();
     return this.#controller.signal;
   }
 
   cancel() {
+    this.isCancelled = true;
     this.#controller.abort();
   }
 

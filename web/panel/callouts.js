@@ -7,13 +7,15 @@ import { onLanguage, t } from '../base/i18n.js';
 
 const isSeen = switchSetting('welcome', 'seen');
 
-/** Where each hint stands, and what ends it. */
+/** Where each hint stands, and what ends it. The first lies on the stage: were it among the
+ * purposes, they would move from under the pointer when it goes. */
 const hints = /** @type {const} */ ([
-  { text: 'hint.purpose', place: 'purpose-hint', ground: 'form', event: 'click', what: '.door' },
-  { text: 'hint.compare', place: 'stage', ground: 'stage', event: 'pointerdown',
-    what: '#canvas, #divider' },
-  { text: 'hint.download', place: 'download-bar', ground: 'download-bar', event: 'click',
-    what: '#download' },
+  { text: 'hint.purpose', place: 'stage', side: 'purpose', ground: 'form', event: 'click',
+    what: '.door' },
+  { text: 'hint.compare', place: 'stage', side: 'stage', ground: 'stage',
+    event: 'pointerdown', what: '#canvas, #divider' },
+  { text: 'hint.download', place: 'download-bar', side: 'download-bar', ground: 'download-bar',
+    event: 'click', what: '#download' },
 ]);
 
 /** @param {number} number of the hint, from 0 */
@@ -25,7 +27,7 @@ function show(number) {
   }
   const words = element('span', {}, t(hint.text));
   const button = element('button', { type: 'button', className: 'link' });
-  const box = element('div', { className: `callout ${hint.place}-callout`, id: 'callout' },
+  const box = element('div', { className: `callout ${hint.side}-callout`, id: 'callout' },
     words, button);
   const write = () => {
     words.textContent = t(hint.text);

@@ -97,7 +97,9 @@ export class Doors {
       this.#doors.querySelector(`#purpose-${id}`)?.setAttribute('aria-pressed',
         String(id === purpose));
     }
-    this.#about.textContent = t(purpose ? `purpose.${purpose}.about` : 'purpose.none');
+    const isBaked = purpose === 'asset' && values.textures === 'bake';
+    this.#about.textContent = t(isBaked ? 'purpose.asset.baked'
+      : purpose ? `purpose.${purpose}.about` : 'purpose.none');
     this.#works.hidden = purpose !== 'print';
     this.#lines.hidden = !values.quads;
     this.#amount.hidden = !purpose;

@@ -1,6 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Hands files to the visitor.
-import { element } from '../base/dom.js';
+import { byId, element } from '../base/dom.js';
+
+/** Whether the result can be saved: not while another one is made, and not a draft.
+ * @param {boolean} isSavable */
+export function setSavable(isSavable) {
+  const others = byId('besides', HTMLElement).querySelectorAll('button');
+  for (const button of [byId('download', HTMLButtonElement), ...others]) {
+    button.disabled = !isSavable;
+  }
+}
 
 /** @param {import('../files/files.js').NamedBytes} file */
 export function download({ name, bytes }) {

@@ -43,13 +43,22 @@ function enlarge(map, title) {
   dialog.showModal();
 }
 
+/** The maps that were painted. @param {import('../model/result.js').Result} result */
+const paintedMaps = ({ values, bytes }) => (values.textures === 'bake' ? mapsOf(bytes) : []);
+
+/** Their titles. @param {import('../model/result.js').Result} result */
+export function mapTitles(result) {
+  const maps = paintedMaps(result);
+  return maps.map((map) => titleOf(map, maps));
+}
+
 /**
  * @param {import('../model/result.js').Result} result
  * @param {(file: NamedBytes) => void} onSave
  */
 export function mapsView(result, onSave) {
-  if (result.values.textures !== 'bake') return null;
-  const maps = mapsOf(result.bytes);
+  const maps = paintedMaps(result);
+  if (!maps.length) return null;
   const entries = maps.map((map) => {
     const title = titleOf(map, maps);
     const extension = extensions[map.type];

@@ -12,16 +12,16 @@ import { distanceIn, lengthIn } from '../model/units.js';
 
 /** report, values: of the result; largest: the largest distance from the original in the model's
  * units, null while it is not known; exact: triangles that keep all corners of flat sides, or 0;
- * edges: lengths of its edges, as soon as they are known; size:
+ * edges: lengths of its edges, as soon as they are known; maps: titles of its new textures; size:
  * bytes of the file to download, null if not known; original: bytes of the model.
  * @typedef {{ report: Report, values: import('../model/address.js').Values, scale: Scale,
  *   diagonal: number, largest: number | null, exact: number,
  *   edges?: import('../survey/surface.js').Distances['edges'], format: string,
- *   size: number | null, original: number }} Judged */
+ *   maps: string[], size: number | null, original: number }} Judged */
 
 /** @typedef {{ onLargest: () => void, onPlace: (place: [number, number, number]) => void,
  *   onThicken: () => void, onWithin: () => void, onExact: () => void, onMore: () => void,
- *   onNotes: () => void }} VerdictActs */
+ *   onMaps: () => void, onNotes: () => void }} VerdictActs */
 
 /** @typedef {{ kind: 'good' | 'bad' | 'plain', text: string,
  *   act?: { label: string, run: () => void } | null }} Line */
@@ -58,6 +58,10 @@ function closedLine({ report: { output }, values }, { onThicken }) {
  * @param {Report} report */
 const isKept = ({ chosen = [] }) => [chosen].flat().every(({ rule }) => rule === 'kept');
 
+/** Whether the surface was only repaired. Then what is far from the original is what was added; of
+ * what is gone, the repair says how much. @param {Report} report */
+const isOnlyRepaired = ({ repair, fidelity }) => repair !== undefined && !fidelity;
+
 /** @param {Judged} judged @param {VerdictActs} acts @returns {Line[]} */
 function distanceLines(judged, { onLargest }) {
   const { report, largest, diagonal } = judged;
@@ -69,9 +73,11 @@ function distanceLines(judged, { onLargest }) {
   if (largest < nothing * diagonal) return [{ kind: 'good', text: t('verdict.exact') }];
   const isFar = 100 * largest / diagonal > seenByAnyone;
   const distance = distanceIn(largest, judged);
-  return [{ kind: isFar ? 'bad' : 'good',
-    text: t(isFar ? 'verdict.far' : 'verdict.near', { distance }),
-    act: { label: t('visit'), run: onLargest } }];
+  const act = { label: t('visit'), run: onLargest };
+  if (!isFar) return [{ kind: 'good', text: t('verdict.near', { distance }), act }];
+  return isOnlyRepaired(report)
+    ? [{ kind: 'plain', text: t('verdict.added', { distance }), act }]
+    : [{ kind: 'bad', text: t('verdict.far', { distance }), act }];
 }
 
 /** @param {Judged} judged @returns {Line} */
@@ -84,6 +90,13 @@ function facesLine({ report: { input, output } }) {
   const { triangles } = output;
   return { kind: 'plain', text: t(triangles === input.triangles ? 'verdict.sameTriangles'
     : 'verdict.triangles', { count: count(triangles), before: count(input.triangles) }) };
+}
+
+/** @param {Judged} judged @param {VerdictActs} acts @returns {Line[]} */
+function mapLines({ maps }, { onMaps }) {
+  if (!maps.length) return [];
+  return [{ kind: 'plain', text: t('verdict.maps', { maps: maps.join(', ') }),
+    act: { label: t('visit'), run: onMaps } }];
 }
 
 /** @param {Judged} judged @returns {Line[]} */
@@ -173,15 +186,17 @@ function lineView({ kind, text, act }) {
 /** @param {Judged} judged @param {VerdictActs} acts */
 export function verdictView(judged, acts) {
   const lines = [closedLine(judged, acts), ...distanceLines(judged, acts),
-    ...shapeLines(judged, acts), facesLine(judged), ...solverLines(judged), ...sizeLines(judged),
-    ...repairLines(judged, acts), ...noteLines(judged, acts)];
+    ...shapeLines(judged, acts), facesLine(judged), ...solverLines(judged),
+    ...mapLines(judged, acts), ...sizeLines(judged), ...repairLines(judged, acts),
+    ...noteLines(judged, acts)];
   return element('ul', {}, ...lines.map(lineView));
 }
 
 /** @param {Judged} judged @param {number} largest */
-function distanceInShort({ scale, diagonal }, largest) {
+function distanceInShort({ report, scale, diagonal }, largest) {
   if (largest < nothing * diagonal) return t('short.exact');
   const share = 100 * largest / diagonal;
+  if (share > seenByAnyone && isOnlyRepaired(report)) return t('short.added');
   const distance = scale.name ? lengthIn(scale, largest) : percent(share);
   return share > seenByAnyone ? t('short.far', { distance }) : `≤ ${distance}`;
 }

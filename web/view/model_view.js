@@ -12,7 +12,9 @@ import { colorByAngle } from '../triangles/triangle_angles.js';
  *   } Shading */
 /** @typedef {Mesh<BufferGeometry, MeshStandardMaterial>} Surface */
 /** The same triangles several times: as in the file, as lines, and coloured if needed.
+ * relief: clay with the surface's normal map, if it has no other look.
  * @typedef {{ surface: Surface, own: import('three').Material | null, lines: Mesh,
+ *   relief: MeshStandardMaterial | null,
  *   colored: Partial<Record<Shading, Mesh>> }} Part */
 
 /** A scene ready to be shown. origin: the stage's, in the scene's world; bounds: relative to
@@ -50,6 +52,13 @@ function hasOwnLook({ material, geometry }) {
   const { map, normalMap, emissiveMap, color } = material;
   const isWhite = !color || color.equals(new Color(0xffffff));
   return Boolean(map || normalMap || emissiveMap || geometry.getAttribute('color') || !isWhite);
+}
+
+/** Whether a normal map is all that the file gives the surface, as what is baked from a model
+ * without textures. @param {Surface} surface */
+function hasReliefAlone({ material, geometry }) {
+  const { map, normalMap, emissiveMap } = material;
+  return Boolean(normalMap && !map && !emissiveMap && !geometry.getAttribute('color'));
 }
 
 /** @param {import('three').Object3D} scene @returns {Surface[]} */
@@ -132,7 +141,10 @@ export class ModelView {
     const own = hasOwnLook(surface) ? Object.assign(surface.material, behindLines) : null;
     const lines = companion(surface, wires(surface.geometry), wire);
     lines.renderOrder = 1;
-    return { surface, own, lines, colored: {} };
+    const { normalMap, normalScale } = surface.material;
+    const relief = hasReliefAlone(surface)
+      ? Object.assign(this.#clay.clay.clone(), { normalMap, normalScale }) : null;
+    return { surface, own, lines, relief, colored: {} };
   }
 
   get #surfaces() {
@@ -192,13 +204,13 @@ export class ModelView {
   setShading(shading) {
     const materials = { flat: this.#clay.flat, normals };
     for (const part of this.#parts) {
-      const { surface, colored, own } = part;
+      const { surface, colored, own, relief } = part;
       // The drawn triangles of a thinned model are not its own, so they have no angles to show.
       if (shading === 'angles' && !this.thinning) colored.angles ??= this.#coloredByAngle(part);
       surface.visible = !colored[shading];
       for (const [name, mesh] of Object.entries(colored)) mesh.visible = name === shading;
       surface.material = /** @type {MeshStandardMaterial} */ (shading === 'textured' && own
-        || materials[/** @type {'flat'} */ (shading)] || this.#clay.clay);
+        || materials[/** @type {'flat'} */ (shading)] || relief || this.#clay.clay);
     }
   }
 
@@ -215,7 +227,8 @@ export class ModelView {
   dispose() {
     this.thinning?.close();
     for (const mesh of surfacesOf(this.group)) mesh.geometry.dispose();
-    for (const { own } of this.#parts) {
+    for (const { own, relief } of this.#parts) {
+      relief?.dispose();
       for (const value of Object.values(own ?? {})) if (value?.isTexture) value.dispose();
       own?.dispose();
     }

@@ -84,6 +84,16 @@ function meshLike(mesh, model) {
   };
 }
 
+/** The core's error. Where an edge length asked for the vertices, so does the way out.
+ * @param {{ code: import('../base/errors.js').ErrorCode, message: string, hint: string }} error
+ * @param {object} job */
+function errorOf({ code, message, hint }, job) {
+  const { edgeLength = undefined } = 'options' in job ? Object(job.options) : {};
+  const isTooFew = code === 'TARGET_TOO_SMALL' || code === 'TARGET_BELOW_CURVES';
+  return new RemeshError(code, message, isTooFew && edgeLength !== undefined
+    ? 'Ask for a shorter edge length: the number of vertices follows from it.' : hint);
+}
+
 /** @typedef {import('../base/open_file.js').BlocksOf} BlocksOf */
 /** @typedef {import('../base/open_file.js').FileHandle} FileHandle */
 /** @typedef {import('../base/open_file.js').ReadBlock} ReadBlock */
@@ -432,9 +442,7 @@ export class Engine {
       onProgress({ phase, fraction }) !== false);
     const outcome = this.#call(instance, await withBlocks(job, this.#codecs.blocksOf, ask), ask);
     if (instance.HEAPU8.length > keptMemory) this.#instance = undefined;
-    if (outcome.error) {
-      throw new RemeshError(outcome.error.code, outcome.error.message, outcome.error.hint);
-    }
+    if (outcome.error) throw errorOf(outcome.error, job);
     if (job.kind === 'boolean') {
       return { ...outcome, meshes: [meshLike(outcome.meshes[0], modelOf(job.operands))] };
     }
