@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Build step: leaves out what the page and its workers do not need, of the package and of three.js,
-// and preloads WebAssembly.
+// shortens shaders, and preloads WebAssembly.
 
 const nothing = '\0nothing';
 const exported = 'export const Engine = null, plainWorker = null, loadPackage = () => {};';
@@ -45,6 +45,21 @@ export function withoutAnimations() {
     name: 'without-animations',
     transform: (code, id) => (/\/three\.core\.js$/.test(id)
       ? { code: code.replace(statics, ''), map: null } : null),
+  };
+}
+
+/** A shader of three.js: a string on a line of its own, or a marked template. */
+const shader = /^(?:var|const) [\w$]+ = "#?.*\\n.*";$|\/\* glsl \*\/`[^`]*`/gm;
+/** In a shader: comments, ends of lines, and what follows these and can go. */
+const comment = /\/\/.*?(?=\\n|\n)/g, blank = /(?:(?:\\n|\n)(?:\\t|\s)*)+/g;
+
+/** @returns {import('vite').Plugin} for the page: shaders without comments and indentation */
+export function shortShaders() {
+  return {
+    name: 'short-shaders',
+    transform: (code, id) => (/\/three\/.*\.js$/.test(id)
+      ? { code: code.replace(shader, (text) => text.replace('/* glsl */', '')
+        .replaceAll(comment, '').replaceAll(blank, '\\n')), map: null } : null),
   };
 }
 

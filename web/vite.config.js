@@ -5,7 +5,7 @@ import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import { installable } from './installable.js';
 import {
-  earlyWasm, withoutAnimations, withoutUnneeded, withoutUnused,
+  earlyWasm, shortShaders, withoutAnimations, withoutUnneeded, withoutUnused,
 } from './package_in_page.js';
 import { sampleFiles } from './sample_files.js';
 import { wordsInPlace } from './words_in_place.js';
@@ -14,7 +14,8 @@ export default defineConfig({
   root: fileURLToPath(new URL('.', import.meta.url)),
   base: './',
   publicDir: false,
-  plugins: [sampleFiles(), wordsInPlace(), installable(), earlyWasm(), withoutUnused()],
+  plugins: [sampleFiles(), wordsInPlace(), installable(), earlyWasm(), withoutUnused(),
+    shortShaders()],
   // One script for all image codecs: they are much alike, and half as large if packed together.
   worker: { format: 'es', plugins: () => [withoutUnneeded(), withoutAnimations()],
     rolldownOptions: {
