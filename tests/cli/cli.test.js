@@ -93,7 +93,7 @@ test('--json is the whole report and nothing else on standard output', () => {
 test('inspect reports, in words and as JSON, and writes nothing', () => {
   const before = readdirSync(folder).sort();
   const words = run('inspect', 'torus.off').stdout;
-  assert.match(words, /^input: 2304 triangles, 1152 vertices, 1 component\n/);
+  assert.match(words, /^input: 2304 triangles, 1152 vertices, 1 component, closed\n/);
   assert.match(words, /\n {2}diagonal of the bounding box: 8\.0\d*, in the file’s own unit\n/);
   const report = JSON.parse(run('inspect', 'torus.off', '--json').stdout);
   assert.equal(report.input.eulerCharacteristic, 0);

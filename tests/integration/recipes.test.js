@@ -120,7 +120,7 @@ const recipes = {
     const [angle] = /(?<=smallest angle )\d+/.exec(printed) ?? [];
     assert.ok(Number(angle) >= 20, printed);
     assert.match(printed, /closed: true\nat most \d\.\d\d % of the diagonal from the part\n/);
-    assert.ok(await verticesIn(join(place, 'mesh.stl')) > 500);
+    assert.ok(await verticesIn(join(place, 'mesh.msh')) > 500);
   },
   async generated() {
     const { place, printed } = await follow('generated');
@@ -213,6 +213,8 @@ const recipes = {
       const { input } = await inspect(readFileSync(join(place, name)), { name });
       assert.deepEqual([input.boundaryEdges, input.vertices], [0, 700], name);
     }
+    const name = 'within.3mf';
+    assert.equal((await inspect(readFileSync(join(place, name)), { name })).unit, 'mm');
   },
   async agents() {
     const { place } = await follow('agents');

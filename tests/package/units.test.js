@@ -107,4 +107,6 @@ test('without a unit there is one sentence, on the command line in its words', a
     run('-o', 'c.stl', '--units', 'mm', '--edge-length', '0.04cm', '--quality', 'draft'),
     { cwd: folder, encoding: 'utf8' });
   assert.match(words, /distance to the input: [\d.]+ % \([\d.]+ mm\)/);
+  assert.match(words, /output: .*, 1 component, closed\n/);
+  assert.match(words, /file: [\d.]+ kB, the input's [\d.]+ kB\n/);
 });

@@ -53,15 +53,20 @@ test('where a purpose is chosen while a model opens, faults are looked for, too'
     const observer = new MutationObserver(() => {
       const door = document.getElementById('purpose-asset');
       const name = document.getElementById('model-name').textContent;
-      if (name !== 'chosen.stl' || door.disabled) return;
+      if (name !== 'chosen.stl') return;
+      globalThis.doors = [...globalThis.doors ?? [], door.disabled];
+      if (door.disabled) return;
       observer.disconnect();
       door.click();
     });
-    observer.observe(document.getElementById('model-size'), { childList: true });
+    for (const id of ['model-name', 'model-size']) {
+      observer.observe(document.getElementById(id), { childList: true });
+    }
   });
   await drop(page, { 'chosen.stl': stl(nestedBoxes(2)) });
   await opened(page, 'chosen.stl');
   await page.waitForSelector('#landmark-innerShells');
+  assert.equal(await page.evaluate(() => globalThis.doors[0]), true, 'none while it is unknown');
 });
 
 test('where the opening is cancelled, faults are looked for on request', async () => {

@@ -148,6 +148,7 @@ export function open(page, coming, { source, wished, onForm }) {
     const { report, signal } = await session.open(model, source);
     clearResult(page);
     page.surveying.forgetModel();
+    page.panel.forgetSubject();
     if (!source) await addRecent(model.name, items);
     fillMenu();
     showInMenu(source);

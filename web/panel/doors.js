@@ -83,6 +83,12 @@ export class Doors {
     this.build();
   }
 
+  /** Another model comes, of which nothing is known yet. */
+  forgetSubject() {
+    this.#subject = null;
+    this.build();
+  }
+
   /** @param {number} total of the guides drawn on the model */
   setGuides(total) {
     this.#guideCount = total;
@@ -102,7 +108,7 @@ export class Doors {
       : purpose ? `purpose.${purpose}.about` : 'purpose.none');
     this.#works.hidden = purpose !== 'print';
     this.#lines.hidden = !values.quads;
-    this.#amount.hidden = !purpose;
+    this.#amount.hidden = !purpose || !this.#subject;
     if (!purpose || !this.#subject) return;
     const isOnly = isRepairOnly(values);
     for (const input of this.#works.querySelectorAll('input')) {

@@ -48,7 +48,7 @@ export function showProgress(event, left = null) {
   if (!event) return;
   byId('progress-phase', HTMLElement).textContent = event.phase;
   const bar = byId('progress-bar', HTMLProgressElement);
-  if (event.fraction === null) {
+  if (event.fraction === null || event.fraction >= 1) {  // nobody knows how long the end takes
     byId('progress-percent', HTMLElement).textContent = '';
     bar.removeAttribute('value');
     return;

@@ -346,6 +346,11 @@ export class Panel {
     this.#doors.setGuides(count);
   }
 
+  /** No purpose can be chosen until the next model is known: its number would be the last one's. */
+  forgetSubject() {
+    this.#doors.forgetSubject();
+  }
+
   /** What is known of the model, of which the purposes make their numbers.
    * @param {import('../model/purposes.js').Subject} subject isPaintable: whether new textures can
    *   be painted from it @param {{ ofAmount: string, ofModel: string }} units of lengths */

@@ -364,7 +364,7 @@ export function helpText() {
     'remesher horse.obj -o horse.glb --vertices 10000       exactly so many vertices',
     'remesher figure.glb -o small.glb --preset asset --faces 5000',
     'remesher repair scan.stl -o closed.stl                 for printing; nothing else changes',
-    'remesher part.stl -o mesh.stl --preset simulation --units mm --edge-length 2mm',
+    'remesher part.stl -o mesh.msh --preset simulation --units mm --edge-length 2mm',
     'remesher head.obj -o quads.obj --preset quads --faces 3000',
     '',
     'remesher <input> -o <output> [options]     remesh a file',

@@ -38,7 +38,8 @@ function wantedInWords(wanted) {
     const figure = wanted[name];
     if (!figure) return [];
     const [what, limit, worst, unit] = wantedNames[name];
-    const share = figure.missed === 0 ? 'all' : `${figure.kept.toFixed(2)} %, but ${figure.missed}`;
+    const share = figure.missed === 0 ? 'all' : `kept by ${figure.kept.toFixed(2)} %, `
+      + `missed by ${figure.missed}`;
     return [`  ${what} ${limit} ${short(figure.asked)}${unit}: ${share}; the ${worst} `
       + `${short(figure.worst)}${unit}`];
   });
@@ -50,7 +51,7 @@ function meshInWords(title, mesh) {
   const shares = minAngle.histogram.map((percent) => percent.toFixed(1)).join('  ');
   return [
     `${title}: ${mesh.triangles} triangles, ${mesh.vertices} vertices, `
-      + counted(mesh.components, 'component'),
+      + `${counted(mesh.components, 'component')}, ${mesh.boundaryEdges > 0 ? 'open' : 'closed'}`,
     `  boundary edges ${mesh.boundaryEdges}, non-manifold edges ${mesh.nonManifoldEdges}, `
       + `degenerate triangles ${mesh.degenerateTriangles}, `
       + `Euler characteristic ${mesh.eulerCharacteristic}`,
@@ -207,11 +208,16 @@ function lossOfShape({ fidelity: { hausdorff }, output, prefer }) {
     + `--max-error${isLast ? '' : ', or --prefer shape'}`];
 }
 
-/** The sentences by which the result was chosen, each once. A sound surface that is only rounded
- * was not changed by its repair. @param {any} report */
+/** Whether a repair found nothing to do: the surface is sound, or sheets and no more.
+ * @param {import('../base/messages.js').RepairSummary | undefined} repair */
+const didNothing = (repair) => repair?.reason === 'sound' || repair?.reason === 'sheets'
+  && [repair.holes, repair.islands, repair.shells, repair.turned].every((count) => count === 0);
+
+/** The sentences by which the result was chosen, each once. A surface that is only rounded was not
+ * changed by its repair. @param {any} report */
 function chosenInWords({ chosen, repair }) {
   const rows = [chosen].flat().filter((/** @type {any} */ { rule }) =>
-    repair?.reason !== 'sound' || rule !== 'repaired');
+    !didNothing(repair) || rule !== 'repaired');
   const sentences = new Set(rows.map((/** @type {any} */ { reason }) => reason));
   return sentences.size > 0 ? [`chosen: ${[...sentences].join(' ')}`] : [];
 }
@@ -250,6 +256,14 @@ function conformInWords({ faces, triangles, area }) {
     + `sides, area ${Number(area.toPrecision(4))}`;
 }
 
+/** What the file weighs.
+ * @param {import('../base/messages.js').Card} card */
+function fileInWords({ before, after }) {
+  if (!after.bytes) return [];
+  const given = before.bytes ? `, the input's ${sizeInWords(before.bytes)}` : '';
+  return [`file: ${sizeInWords(after.bytes)}${given}`];
+}
+
 /** @param {any} report of a run, of an inspection, or warnings alone */
 export function reportInWords(report) {
   const parts = [];
@@ -272,6 +286,7 @@ export function reportInWords(report) {
   }
   if (report.textures?.length > 0) parts.push(texturesInWords(report.textures));
   if (report.compression) parts.push(compressionInWords(report.compression));
+  if (report.card) parts.push(...fileInWords(report.card));
   for (const { message } of report.warnings) parts.push(`warning: ${message}`);
   if (report.stopped && report.stopped !== 'target') {
     parts.push(`stopped before the target by: ${report.stopped}`);
