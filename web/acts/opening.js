@@ -4,6 +4,7 @@ import { RemeshError } from 'remesher';
 import { byId } from '../base/dom.js';
 import { t } from '../base/i18n.js';
 import { unpacked } from '../files/archives.js';
+import { writeAddress } from '../model/address.js';
 import { remeshAll } from '../model/batch.js';
 import { modelFrom, modelsAmong } from '../files/models.js';
 import { PageError } from '../files/files.js';
@@ -131,7 +132,7 @@ function findFaults({ session, surveying }, { isLarge, isCancelled }) {
  *   address; onForm: the form has its values
  */
 export function open(page, coming, { source, wished, onForm }) {
-  const { session } = page;
+  const { session, panel } = page;
   /** @type {{ model: object, isLarge: boolean, isCancelled: boolean } | undefined} */
   let opened;
   return page.busy(async () => {
@@ -160,6 +161,7 @@ export function open(page, coming, { source, wished, onForm }) {
     announce(t('opened', { name: model.name, facts: modelFacts(report) }));
     const isLarge = report.input.vertices > largestAutomatic;
     opened = { model, isLarge, isCancelled: session.isCancelled };
+    if (isLarge) history.replaceState(null, '', writeAddress(source, panel.values()));
     if (isLarge || signal.aborted) return;
     await remeshAtFirst(page, { wished, onForm });
   }).then(() => { if (opened && opened.model === session.model) findFaults(page, opened); });

@@ -6,7 +6,7 @@ import { RemeshError } from '../base/errors.js';
 
 export const sayWhere =
   'Serve it beside the script, or say where it is: init({ wasmUrl }), or '
-  + ' for the small engine init({ arrays: { wasmUrl } }).';
+  + 'for the small engine init({ arrays: { wasmUrl } }).';
 
 /** @param {Uint8Array} bytes @param {string} where */
 function checkMagic(bytes, where) {
