@@ -8,6 +8,7 @@
 
 #include "geometry/predicates.h"
 #include "geometry/triangle.h"
+#include "mesh/components.h"
 #include "mesh/joints.h"
 #include "original/curves/facets.h"
 #include "original/curves/shape_angles.h"
@@ -43,26 +44,10 @@ FacetedMesh::FacetedMesh(const BuiltMesh& original, const HalfedgeData<char>& se
 // Seams divide a plane into several facets.
 void FacetedMesh::setFacets(const HalfedgeData<char>& seams) {
   const FaceData<Index> planes = findFacets(mesh_, positions_, flatTolerance(mesh_, positions_));
-  ownFacet_.assign(mesh_.faceCapacity(), kNone);
-  std::vector<Face> stack;
-  Index facets = 0;
-  for (Index i = 0; i < mesh_.faceCapacity(); ++i) {
-    if (!mesh_.isAlive(Face(i)) || ownFacet_[Face(i)] != kNone) continue;
-    const Index facet = facets++;
-    ownFacet_[Face(i)] = facet;
-    stack.push_back(Face(i));
-    while (!stack.empty()) {
-      const Face f = stack.back();
-      stack.pop_back();
-      for (int k = 0; k < 3; ++k) {
-        const Halfedge h = HalfedgeMesh::halfedge(f, k), t = mesh_.twin(h);
-        if (!t || seams[h] || ownFacet_[mesh_.face(t)] != kNone) continue;
-        if (planes[mesh_.face(t)] != planes[f]) continue;
-        ownFacet_[mesh_.face(t)] = facet;
-        stack.push_back(mesh_.face(t));
-      }
-    }
-  }
+  ownFacet_ = regionsOf(mesh_, [&](Halfedge h) {
+                const Halfedge t = mesh_.twin(h);
+                return !seams[h] && planes[HalfedgeMesh::face(t)] == planes[HalfedgeMesh::face(h)];
+              }).of;
 }
 
 // The planes become regions of one or several, each with its faces.
