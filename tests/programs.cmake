@@ -94,6 +94,7 @@ add_executable(unit_tests
   tests/unit/measure/self_intersections_test.cpp
   tests/unit/mesh/canonical_order_test.cpp
   tests/unit/mesh/check_test.cpp
+  tests/unit/mesh/collapse_passes_test.cpp
   tests/unit/mesh/components_test.cpp
   tests/unit/mesh/coordinate_step_test.cpp
   tests/unit/mesh/edge_groups_test.cpp

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "mesh/collapse_passes.h"
 #include "remesh/operators/local_operators.h"
 
 namespace remesher {
@@ -28,6 +29,7 @@ class Decimation {
         mesh_(mesh.mesh()),
         rule_(rule),
         spacing_(spacing),
+        passes_(mesh_),
         into_(mesh_.vertexCapacity()),
         noted_(mesh_.vertexCapacity(), 0) {}
 
@@ -84,28 +86,23 @@ class Decimation {
 
   // Returns how many vertices went.
   std::size_t pass() {
-    std::size_t gone = 0;
-    touched_.assign(mesh_.vertexCapacity(), 0);
-    for (Index i = 0; i < mesh_.vertexCapacity(); ++i) {
-      const Vertex v(i);
-      if (touched_[v] || isUnchanged(v)) continue;
-      if (!mesh_.isAlive(v) || working_.kind(v) != VertexKind::Interior) continue;
-      gone += takeOut(v);
-    }
-    return gone;
+    return passes_.run([&](Vertex v) {
+      const bool mayGo = working_.kind(v) == VertexKind::Interior && !isUnchanged(v);
+      return mayGo ? takeOut(v) : Vertex();
+    });
   }
 
   // Whether v, at this share, would stay for what it stayed for in the pass before: neither its
   // star nor any of its neighbours' has changed since.
   bool isUnchanged(Vertex v) const { return isNoted_ && noted_[v] + 1 < number_; }
 
-  // Removes v if it may go. Returns whether it has gone.
-  bool takeOut(Vertex v) {
+  // Removes v if it may go. Returns the vertex that it has gone into, or none.
+  Vertex takeOut(Vertex v) {
     gather(v);
     const double size = share_ * spacing_[v];
     const Spoke* const spoke = shortestSpoke(v, size);
-    return spoke && isFlat(spoke->way, size) && staysEven(spoke->tip, size) &&
-           collapse(mesh_.find(v, spoke->tip));
+    if (!spoke || !isFlat(spoke->way, size) || !staysEven(spoke->tip, size)) return {};
+    return collapse(mesh_.find(v, spoke->tip));
   }
 
   // Walks around the star once for all later looks at it.
@@ -122,7 +119,8 @@ class Decimation {
     const Spoke* best = nullptr;
     for (const Spoke& spoke : spokes_) {
       const double length = spoke.way.squaredNorm();
-      if (length >= shortest || touched_[spoke.tip] || spacing_[spoke.tip] > spacing_[v]) continue;
+      if (length >= shortest || passes_.isTouched(spoke.tip) || spacing_[spoke.tip] > spacing_[v])
+        continue;
       shortest = length;
       best = &spoke;
     }
@@ -150,15 +148,12 @@ class Decimation {
     return int(spokes_.size()) + mesh_.valence(w) - 4 <= kLargestValence;
   }
 
-  bool collapse(Halfedge h) {
-    if (!proposeCollapseInto(working_, h, change_)) return false;
-    if (judge(working_, change_, rule_) != Verdict::Accepted) return false;
+  Vertex collapse(Halfedge h) {
+    if (!proposeCollapseInto(working_, h, change_)) return {};
+    if (judge(working_, change_, rule_) != Verdict::Accepted) return {};
     const Vertex gone = mesh_.origin(h), remaining = apply(working_, change_);
-    into_[gone] = remaining;
-    touched_[remaining] = 1;
-    mesh_.forEachNeighbor(remaining, [&](Vertex w) { touched_[w] = 1; });
     if (isNoting_) note(remaining);
-    return true;
+    return into_[gone] = remaining;
   }
 
   void note(Vertex centre) {
@@ -171,11 +166,11 @@ class Decimation {
   const HalfedgeMesh& mesh_;
   const FidelityRule& rule_;
   const VertexData<double>& spacing_;
-  double share_ = 1;          // of the spacing, in the present pass
-  VertexData<char> touched_;  // whether the star has changed in the present pass
-  VertexData<Vertex> into_;   // the vertex it went into, which may be gone since; or none
-  VertexData<int> noted_;     // the last pass that noted a change near it
-  int number_ = 1;            // of the present pass at the full spacing
+  double share_ = 1;  // of the spacing, in the present pass
+  CollapsePasses passes_;
+  VertexData<Vertex> into_;  // the vertex it went into, which may be gone since; or none
+  VertexData<int> noted_;    // the last pass that noted a change near it
+  int number_ = 1;           // of the present pass at the full spacing
   bool isNoting_ = false, isNoted_ = false;  // of the present pass, and of the one before
   std::vector<Spoke> spokes_;                // of the vertex that is looked at, counterclockwise
   LocalChange change_;

@@ -15,6 +15,7 @@
 #include "geometry/triangle_meeting.h"
 #include "geometry/triangle_tree.h"
 #include "measure/self_intersections.h"
+#include "mesh/collapse_passes.h"
 #include "mesh/euler_operators.h"
 
 namespace remesher {
@@ -60,16 +61,16 @@ class Cleaner {
     for (Index f = 0; f < mesh_.faceCapacity(); ++f) addPlanes(Face(f));
   }
 
-  // Works in passes: each star loses one point per pass at most, so that edges grow evenly.
   std::vector<Merger> run() {
     isWorthATry_.assign(mesh_.vertexCapacity(), 1);
     std::vector<Merger> mergers;
-    for (bool isAny = true; isAny;) {
-      const std::size_t before = mergers.size();
-      isTouched_.assign(mesh_.vertexCapacity(), 0);
-      for (Index i = 0; i < mesh_.vertexCapacity(); ++i)
-        if (const Vertex into = tryVertex(Vertex(i))) mergers.push_back({Vertex(i), into});
-      isAny = mergers.size() > before;
+    CollapsePasses passes(mesh_);
+    const auto merge = [&](Vertex from) {
+      const Vertex into = tryVertex(from);
+      if (into) mergers.push_back({from, into});
+      return into;
+    };
+    while (passes.run(merge) > 0) {
     }
     return mergers;
   }
@@ -183,15 +184,14 @@ class Cleaner {
 
   // The neighbour that the vertex was collapsed into, or none.
   Vertex tryVertex(Vertex from) {
-    if (!mesh_.isAlive(from) || isTouched_[from]) return {};
     if (!std::exchange(isWorthATry_[from], 0)) return {};
     findChoices(from);
     for (const auto& [cost, h] : choices_) {
       const Vertex into = mesh_.tip(h);
       if (isTooLong(h) || !staysSound(h) || !EulerOperators::canCollapse(mesh_, h)) continue;
       collapse(h);
-      mesh_.forEachNeighbor(into, [&](Vertex v) { isTouched_[v] = isWorthATry_[v] = 1; });
-      isTouched_[into] = isWorthATry_[into] = 1;
+      mesh_.forEachNeighbor(into, [&](Vertex v) { isWorthATry_[v] = 1; });
+      isWorthATry_[into] = 1;
       return into;
     }
     return {};
@@ -289,7 +289,6 @@ class Cleaner {
   const bool hasBorders_;  // between kinds
   VertexData<Quadric> sums_;
   VertexData<char> isOther_;      // locked, or its star differs from the other run
-  VertexData<char> isTouched_;    // in this pass
   VertexData<char> isWorthATry_;  // its star has changed since it was tried
   std::vector<Choice> choices_;   // of the vertex that is tried
 };
