@@ -17,20 +17,20 @@ FeatureCurves::FeatureCurves(const HalfedgeMesh& mesh, const VertexData<Vec3>& p
 }
 
 FeatureCurves::FeatureCurves(const HalfedgeMesh& mesh, const FeatureCurves& other,
-                             const VertexData<Vertex>& heirs)
+                             const VertexData<Vertex>& collapseMap)
     : chains_(other.chains_),
       chainOf_(mesh.halfedgeCapacity(), kNone),
       corner_(mesh.vertexCapacity(), 0) {
   for (Chain& chain : chains_) {
-    for (Vertex& v : chain.vertices) v = heirs[v];
+    for (Vertex& v : chain.vertices) v = collapseMap[v];
     for (std::size_t i = 0; i < chain.halfedges.size(); ++i) {
       const Vertex from = chain.vertices[i], to = chain.vertices[i + 1];
       const Halfedge h = mesh.find(from, to);
       chain.halfedges[i] = h ? h : mesh.find(to, from);
     }
   }
-  for (Index i = 0; i < heirs.size(); ++i)
-    if (other.corner_[Vertex(i)]) corner_[heirs[Vertex(i)]] = 1;
+  for (Index i = 0; i < collapseMap.size(); ++i)
+    if (other.corner_[Vertex(i)]) corner_[collapseMap[Vertex(i)]] = 1;
   nameChains(mesh);
 }
 

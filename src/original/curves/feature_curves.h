@@ -24,9 +24,10 @@ class FeatureCurves {
                 const CurveRules& rules);
 
   // The same curves on a mesh that replaces the old one and keeps all curve vertices and edges.
-  // heirs: per old vertex the new one. Places on the curves stay the same.
+  // collapseMap: per old vertex the new one that it was collapsed into. Places on the curves stay
+  // the same.
   FeatureCurves(const HalfedgeMesh& mesh, const FeatureCurves& other,
-                const VertexData<Vertex>& heirs);
+                const VertexData<Vertex>& collapseMap);
 
   const std::vector<Chain>& chains() const { return chains_; }
   bool isCurve(Halfedge h) const { return chainOf_[h] != kNone; }

@@ -311,9 +311,9 @@ double SizeField::narrow(const OriginalSurface& surface,
   return verticesOf(areas, sizes_) - before;
 }
 
-void SizeField::moveOnto(const OriginalSurface& finer, const VertexData<Vertex>& heirs) {
-  VertexData<double> sizes(heirs.size());
-  for (Index i = 0; i < heirs.size(); ++i) sizes[Vertex(i)] = sizes_[heirs[Vertex(i)]];
+void SizeField::moveOnto(const OriginalSurface& finer, const VertexData<Vertex>& collapseMap) {
+  VertexData<double> sizes(collapseMap.size());
+  for (Index i = 0; i < collapseMap.size(); ++i) sizes[Vertex(i)] = sizes_[collapseMap[Vertex(i)]];
   refined_.reset();
   mesh_ = &finer.mesh();
   sizes_ = std::move(sizes);

@@ -37,9 +37,9 @@ class SizeField {
   double at(const SurfacePoint& p) const;
   double at(Vertex original) const { return sizes_[original]; }
 
-  // The same sizes on a finer surface. heirs: per vertex of the finer surface the vertex here whose
-  // size it takes.
-  void moveOnto(const OriginalSurface& finer, const VertexData<Vertex>& heirs);
+  // The same sizes on a finer surface. collapseMap: per vertex of the finer surface the vertex here
+  // whose size it takes.
+  void moveOnto(const OriginalSurface& finer, const VertexData<Vertex>& collapseMap);
 
   // Lowers sizes of the surface's vertices to these at most, and those around them as gradation
   // asks. Returns how many vertices more a mesh of these sizes has. Sizes that are the caller's

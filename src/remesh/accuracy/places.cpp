@@ -52,7 +52,9 @@ class Posts {
 
   // The neighbourhood of posts: a mesh whose vertices are the posts, by numbers of their own.
   const HalfedgeMesh& mesh() const { return thinned_ ? *thinned_->mesh : original_; }
-  Vertex near(Vertex original) const { return thinned_ ? (*thinned_->heirs)[original] : original; }
+  Vertex near(Vertex original) const {
+    return thinned_ ? (*thinned_->collapseMap)[original] : original;
+  }
   Vertex original(Vertex post) const { return thinned_ ? (*thinned_->onOriginal)[post] : post; }
 
  private:

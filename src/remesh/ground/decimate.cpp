@@ -46,7 +46,7 @@ class Decimation {
   }
 
   // By the numbers that the vertices will have after compaction.
-  VertexData<Vertex> heirs() const {
+  VertexData<Vertex> collapseMap() const {
     VertexData<Vertex> result(into_.size());
     Index count = 0;
     for (Index i = 0; i < into_.size(); ++i)
@@ -182,9 +182,9 @@ VertexData<Vertex> decimate(WorkingMesh& mesh, const FidelityRule& rule,
                             const VertexData<double>& spacing) {
   Decimation decimation(mesh, rule, spacing);
   decimation.run();
-  VertexData<Vertex> heirs = decimation.heirs();
+  VertexData<Vertex> collapseMap = decimation.collapseMap();
   mesh.compact();
-  return heirs;
+  return collapseMap;
 }
 
 }  // namespace remesher

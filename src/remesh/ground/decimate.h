@@ -10,8 +10,8 @@ namespace remesher {
 
 // Collapses edges until they are about as long as `spacing`, per vertex, asks for; not where the
 // surface bends more than such edges could follow, nor on curves. Compacts the mesh in the end.
-// Returns, per former vertex, the new number of its heir: the vertex itself or the one it went
-// into.
+// Returns the collapse map: per former vertex the new number of the vertex that it was collapsed
+// into, or its own.
 VertexData<Vertex> decimate(WorkingMesh& mesh, const FidelityRule& rule,
                             const VertexData<double>& spacing);
 

@@ -11,7 +11,7 @@ namespace remesher {
 struct StandIn::Parts {
   BuiltMesh built;
   FeatureCurves curves;
-  VertexData<Vertex> heirs, onOriginal;
+  VertexData<Vertex> collapseMap, onOriginal;
 };
 
 namespace {
@@ -31,20 +31,21 @@ StandIn::StandIn(const OriginalSurface& original, double edge)
     : StandIn(original, [&] {
         WorkingMesh mesh(original);
         const VertexData<double> spacing(mesh.mesh().vertexCapacity(), edge);
-        VertexData<Vertex> heirs = decimate(mesh, FidelityRule{}, spacing);
+        VertexData<Vertex> collapseMap = decimate(mesh, FidelityRule{}, spacing);
         VertexData<Vertex> onOriginal = ancestors(mesh);
         BuiltMesh built;
         built.mesh = mesh.mesh();
         built.positions = mesh.positions();
         for (const Vertex v : onOriginal.values())
           built.sources.values().push_back(original.built().sources[v]);
-        FeatureCurves curves(built.mesh, original.curves(), heirs);
-        return Parts{std::move(built), std::move(curves), std::move(heirs), std::move(onOriginal)};
+        FeatureCurves curves(built.mesh, original.curves(), collapseMap);
+        return Parts{std::move(built), std::move(curves), std::move(collapseMap),
+                     std::move(onOriginal)};
       }()) {}
 
 StandIn::StandIn(const OriginalSurface& original, Parts&& thinned)
     : original_(&original),
-      heirs_(std::move(thinned.heirs)),
+      collapseMap_(std::move(thinned.collapseMap)),
       onOriginal_(std::move(thinned.onOriginal)),
       surface_(std::move(thinned.built), std::move(thinned.curves)) {}
 

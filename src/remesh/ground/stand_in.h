@@ -8,12 +8,12 @@
 
 namespace remesher {
 
-// A mesh of a part of the original's vertices, their numbers on the original, and the one of them
-// that each original vertex has gone into.
+// A mesh of a part of the original's vertices, their numbers on the original, and the collapse map:
+// per vertex of the original the one of them that it was collapsed into.
 struct Thinned {
   const HalfedgeMesh* mesh;
   const VertexData<Vertex>* onOriginal;
-  const VertexData<Vertex>* heirs;
+  const VertexData<Vertex>* collapseMap;
 };
 
 class StandIn {
@@ -28,16 +28,16 @@ class StandIn {
   Vertex onOriginal(Vertex v) const { return onOriginal_[v]; }
   // The point of the original that is nearest to one of the stand-in.
   SurfacePoint onOriginal(const SurfacePoint& p) const;
-  // Per vertex of the original the vertex of the stand-in that it went into.
-  const VertexData<Vertex>& heirs() const { return heirs_; }
-  Thinned thinned() const { return {&surface_.mesh(), &onOriginal_, &heirs_}; }
+  // Per vertex of the original the vertex of the stand-in that it was collapsed into.
+  const VertexData<Vertex>& collapseMap() const { return collapseMap_; }
+  Thinned thinned() const { return {&surface_.mesh(), &onOriginal_, &collapseMap_}; }
 
  private:
   struct Parts;
   StandIn(const OriginalSurface& original, Parts&& thinned);
 
   const OriginalSurface* original_;
-  VertexData<Vertex> heirs_;
+  VertexData<Vertex> collapseMap_;
   VertexData<Vertex> onOriginal_;
   OriginalSurface surface_;
 };

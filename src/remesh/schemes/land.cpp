@@ -21,7 +21,7 @@ void land(Run& run) {
   }
   run.mesh.moveOnto(standIn.original(), places);
   run.projector.moveOnto(standIn.original());
-  run.sizes.moveOnto(standIn.original(), standIn.heirs());
+  run.sizes.moveOnto(standIn.original(), standIn.collapseMap());
   run.grounds.thinned = standIn.thinned();
 }
 

@@ -61,7 +61,7 @@ void bringNearer(WorkingMesh& mesh, const Prepared& original, const RemeshOption
   SizeField sizes = original.sizes();
   if (const StandIn* standIn = original.standIn()) {
     projector.moveOnto(original.surface());
-    sizes.moveOnto(original.surface(), standIn->heirs());
+    sizes.moveOnto(original.surface(), standIn->collapseMap());
   }
   Run run{mesh, projector, sizes, {fidelityRule(options)}};
   run.asked.rule.quantum = quantum;

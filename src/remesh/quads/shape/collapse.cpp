@@ -177,8 +177,8 @@ std::size_t collapseOnce(QuadMesh& mesh, const WorkingMesh& ground, Candidates c
   const QuadCollapses collapses(before);
   const QuadSides sides(before.vertices.size(), before.quads);
   std::vector<char> isTouched(before.vertices.size(), 0), isGone(before.quads.size(), 0);
-  std::vector<Index> heir(before.vertices.size());
-  for (Index v = 0; v < heir.size(); ++v) heir[v] = v;
+  std::vector<Index> collapsedInto(before.vertices.size());
+  for (Index v = 0; v < collapsedInto.size(); ++v) collapsedInto[v] = v;
   std::size_t count = 0;
   for (const Candidate& candidate : (collapses.*candidates)()) {
     if (count == most) break;
@@ -188,14 +188,14 @@ std::size_t collapseOnce(QuadMesh& mesh, const WorkingMesh& ground, Candidates c
     for (const Index v : reach) isTouched[v] = 1;
     const Index side = candidate.side, a = sides.origin(side), c = sides.tip(nextSide(side));
     mesh.vertices[a] = merged(before.vertices[a], before.vertices[c], ground);
-    heir[c] = a;
+    collapsedInto[c] = a;
     isGone[side / 4] = 1;
     joinCurves(mesh, sides, side, nextSide(side));
     joinCurves(mesh, sides, nextSide(nextSide(side)), prevSide(side));
     ++count;
   }
   for (Four<Index>& quad : mesh.quads)
-    for (Index& v : quad) v = heir[v];
+    for (Index& v : quad) v = collapsedInto[v];
   dropQuads(mesh, isGone);
   dropUnusedVertices(mesh);
   return count;

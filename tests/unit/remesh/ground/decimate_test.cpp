@@ -21,12 +21,13 @@ TEST_CASE("decimate: vertices that remain are where they were, and the topology 
     CAPTURE(shape.name);
     const OriginalSurface surface = shapes::surfaceOf(shape.mesh);
     WorkingMesh mesh(surface);
-    const VertexData<Vertex> heirs = decimate(mesh, {}, evenly(mesh, 0.2 * surface.diagonal()));
+    const VertexData<Vertex> collapseMap =
+        decimate(mesh, {}, evenly(mesh, 0.2 * surface.diagonal()));
     CHECK(shapes::checkWorkingMesh(mesh) == "");
     CHECK(eulerCharacteristic(mesh.mesh()) == shape.chi);
     for (Index v = 0; v < mesh.mesh().vertexCapacity(); ++v)
       CHECK(mesh.position(Vertex(v)) == surface.position(mesh.at(Vertex(v))));
-    for (const Vertex heir : heirs.values()) CHECK(mesh.mesh().isAlive(heir));
+    for (const Vertex into : collapseMap.values()) CHECK(mesh.mesh().isAlive(into));
   }
 }
 
@@ -78,13 +79,14 @@ TEST_CASE("decimate: the apex of a flat cone survives its surroundings") {
   CHECK(highest == 6);
 }
 
-TEST_CASE("decimate: an heir is next to where its vertex was") {
+TEST_CASE("decimate: a vertex is collapsed into one near it") {
   const OriginalSurface surface = shapes::surfaceOf(shapes::icosphere(20), shapes::Features::None);
   WorkingMesh mesh(surface);
-  const VertexData<Vertex> heirs = decimate(mesh, {}, evenly(mesh, 0.15));
+  const VertexData<Vertex> collapseMap = decimate(mesh, {}, evenly(mesh, 0.15));
   CHECK(mesh.mesh().vertexCount() < surface.mesh().vertexCount() / 3);
-  for (Index v = 0; v < heirs.size(); ++v)
-    CHECK((mesh.position(heirs[Vertex(v)]) - surface.positions()[Vertex(v)]).norm() < 3 * 0.15);
+  for (Index v = 0; v < collapseMap.size(); ++v)
+    CHECK((mesh.position(collapseMap[Vertex(v)]) - surface.positions()[Vertex(v)]).norm() <
+          3 * 0.15);
 }
 
 TEST_CASE("decimate: nothing is left to collapse where it has been") {

@@ -30,7 +30,7 @@ TEST_CASE("stand_in: it has fewer vertices, all of the original's, and the same 
   for (Index v = 0; v < surface.mesh().vertexCapacity(); ++v) {
     const Vertex there = standIn.onOriginal(Vertex(v));
     CHECK(surface.positions()[Vertex(v)] == original.positions()[there]);
-    CHECK(standIn.heirs()[there] == Vertex(v));
+    CHECK(standIn.collapseMap()[there] == Vertex(v));
   }
 }
 
