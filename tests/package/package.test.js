@@ -53,9 +53,9 @@ test('types come first among the conditions, and the default last', () => {
 
 test('what browsers load does not speak of Node', () => {
   const files = ['index', 'arrays', 'pool', 'platform_browser', 'worker', 'api/api',
-    'api/arrays_api', 'api/client', 'api/crew', 'api/modules', 'api/pool_of', 'api/wasm_source',
-    'base/errors', 'base/options', 'worker/engine', 'worker/arrays_script', 'worker/whole_script',
-    'worker/serve'];
+    'api/arrays_api', 'api/client', 'api/client_pool', 'api/modules', 'api/pool_of',
+    'api/wasm_source', 'base/errors', 'base/options', 'worker/engine', 'worker/arrays_script',
+    'worker/whole_script', 'worker/serve'];
   for (const file of [...files.map((name) => `dist/${name}.js`), 'dist/remesher.mjs',
     'dist/remesher_arrays.mjs']) {
     const text = readFileSync(join(installed, file), 'utf8');

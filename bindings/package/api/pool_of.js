@@ -2,7 +2,7 @@
 // The class Pool, for any platform.
 
 import { Api } from './api.js';
-import { Crew } from './crew.js';
+import { ClientPool } from './client_pool.js';
 import { RemeshError } from '../base/errors.js';
 import { legible } from '../base/legible.js';
 import { requireObject } from '../base/options.js';
@@ -36,16 +36,16 @@ function sizeOf(options, platform) {
 
 /** Each function is documented where the class is exported, in pool.js. */
 export class PoolOf extends Api {
-  #crew;
+  #clients;
 
   /** @param {WholePlatform} platform @param {PoolOptions} options */
   constructor(platform, options) {
-    const crew = new Crew(platform, sizeOf(options, platform));
-    super(platform, crew);
-    this.#crew = crew;
+    const clients = new ClientPool(platform, sizeOf(options, platform));
+    super(platform, clients);
+    this.#clients = clients;
   }
 
   close() {
-    this.#crew.close();
+    this.#clients.close();
   }
 }

@@ -6,7 +6,7 @@ import { RemeshError } from '../base/errors.js';
 import { legible } from '../base/legible.js';
 import { referencesOf } from '../codecs/resources.js';
 import { imagesOf, normalsOf, withImages } from './gltf_images.js';
-import { ImageCrew } from './image_crew.js';
+import { ImageWorkers } from './image_workers.js';
 import { imageHeader } from './image_header.js';
 
 /** @typedef {import('../base/messages.js').FileRequest} FileRequest */
@@ -33,7 +33,7 @@ function imagesBeside({ name: model, resources }) {
 }
 
 export class Baker {
-  #crew;
+  #imageWorkers;
   #onProgress;
   #areWebp = false;
   #areNormalsJpeg = false;
@@ -45,7 +45,7 @@ export class Baker {
    * @param {OnProgress} [onProgress] returns false to stop the run
    */
   constructor(source, onProgress) {
-    this.#crew = new ImageCrew(source);
+    this.#imageWorkers = new ImageWorkers(source);
     this.#onProgress = onProgress;
   }
 
@@ -77,7 +77,7 @@ export class Baker {
     const normals = isGltf(file.bytes) ? normalsOf(file) : [];
     this.#areNormalsJpeg = normals.length > 0
       && normals.every((bytes) => imageHeader(bytes)?.type === 'image/jpeg');
-    const decoded = await this.#crew.run(
+    const decoded = await this.#imageWorkers.run(
       images.map(({ label, bytes }) => ({ work: 'decode', image: { name: label, bytes } })),
       (done) => this.#tell('decode images', shares.decoding * done / (images.length || 1)));
     const pictures = images.map(({ name }, i) => ({ name, type: '', ...decoded[i] }));
@@ -101,7 +101,7 @@ export class Baker {
   /** @param {Picture[]} pictures */
   async #encoded(pictures) {
     const encode = (/** @type {Picture[]} */ images, /** @type {(done: number) => number} */ at) =>
-      this.#crew.run(images.map((image) => ({ work: 'encode', image })),
+      this.#imageWorkers.run(images.map((image) => ({ work: 'encode', image })),
         (done) => this.#tell('encode images', at(done)));
     const bytes = await encode(pictures,
       (done) => 1 - shares.encoding * (1 - done / (pictures.length || 1)));
@@ -117,6 +117,6 @@ export class Baker {
 
   /** Must be called in the end, whatever happened. */
   end() {
-    this.#crew.end();
+    this.#imageWorkers.end();
   }
 }

@@ -17,7 +17,7 @@ import { abortError } from '../base/errors.js';
  * @property {() => void} leave
  */
 
-export class Crew {
+export class ClientPool {
   #clients;
   #free;
   /** @type {Waiting[]} */

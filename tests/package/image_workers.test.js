@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 
-import { ImageCrew, serveImages } from '../../bindings/package/textures/image_crew.js';
+import { ImageWorkers, serveImages } from '../../bindings/package/textures/image_workers.js';
 import { RemeshError } from '../../bindings/package/base/errors.js';
 import { compileCodec, spawnForImages } from '../../bindings/package/platform_node.js';
 
@@ -51,18 +51,18 @@ function portAnswering(turns, served = []) {
 
 /** @param {any} options @param {any[]} jobs */
 async function done(options, jobs, tell = () => {}) {
-  const crew = new ImageCrew({ ...source, ...options });
+  const workers = new ImageWorkers({ ...source, ...options });
   try {
-    return await crew.run(jobs, tell);
+    return await workers.run(jobs, tell);
   } finally {
-    crew.end();
+    workers.end();
   }
 }
 
 const jobs = ['image/png', 'image/jpeg', 'image/png', 'image/webp', 'image/jpeg']
   .map((type, i) => encoding(picture(i + 3, type)));
 
-test('image crew: the same bytes in the same order, with workers or without, quick or slow',
+test('image workers: the same bytes in the same order, with workers or without, quick or slow',
   async () => {
     const alone = await done({}, jobs);
     assert.equal(alone.length, jobs.length);
@@ -78,12 +78,12 @@ test('image crew: the same bytes in the same order, with workers or without, qui
     assert.deepEqual(await done({ spawn: spawnForImages, helpers: 2 }, jobs), alone);
   });
 
-test('image crew: what a helper leaves undone is done by others', async () => {
+test('image workers: what a helper leaves undone is done by others', async () => {
   const spawn = () => portAnswering(-1);
   assert.deepEqual(await done({ spawn, helpers: 2 }, jobs), await done({}, jobs));
 });
 
-test('image crew: the first image that is broken is told of', async () => {
+test('image workers: the first image that is broken is told of', async () => {
   const [good] = await done({}, [encoding(picture(5))]);
   const broken = [good, good.subarray(0, 60), good, good.subarray(0, 50), good].map(decoding);
   for (const options of [{}, { spawn: () => portAnswering(0), helpers: 4 },
@@ -94,14 +94,14 @@ test('image crew: the first image that is broken is told of', async () => {
   }
 });
 
-test('image crew: it is the first even where a helper has left it undone', async () => {
+test('image workers: it is the first even where a helper has left it undone', async () => {
   const [good] = await done({}, [encoding(picture(5))]);
   const jobsOfTwo = [good, good.subarray(0, 60), good.subarray(0, 50)].map(decoding);
   await assert.rejects(done({ spawn: () => portAnswering(-20_000), helpers: 1 }, jobsOfTwo),
     { message: 'an image of 60 cannot be decoded.' });
 });
 
-test('image crew: who is told of progress may end it', async () => {
+test('image workers: who is told of progress may end it', async () => {
   const told = [];
   await assert.rejects(done({}, jobs, (count) => {
     told.push(count);

@@ -59,7 +59,7 @@ class Helper {
   }
 }
 
-export class ImageCrew {
+export class ImageWorkers {
   #codecs;
   #spawn;
   #most;
