@@ -174,7 +174,7 @@ struct Reach {
 };
 
 // The place of a chart: its quarter turns, and its box's corner in cells.
-struct Berth {
+struct ChartPosition {
   int x = 0, y = 0;
   std::size_t turn = 0;
 };
@@ -200,7 +200,7 @@ class Packer {
 
   Packing run() {
     double low = largestThinkable(), high = low;
-    std::optional<std::vector<Berth>> best = tryScale(low);
+    std::optional<std::vector<ChartPosition>> best = tryScale(low);
     // Where no chart is longer than a texel, smaller ones take no less room.
     for (; !best && low * longest_ > 1; best = tryScale(low)) {
       high = low;
@@ -209,9 +209,9 @@ class Packer {
     if (!best) return {{}, 0};
     while (high > kNearEnough * low) {
       const double scale = std::sqrt(low * high);
-      std::optional<std::vector<Berth>> berths = tryScale(scale);
-      (berths ? low : high) = scale;
-      if (berths) best = std::move(berths);
+      std::optional<std::vector<ChartPosition>> positions = tryScale(scale);
+      (positions ? low : high) = scale;
+      if (positions) best = std::move(positions);
     }
     return placed(*best, low);
   }
@@ -297,8 +297,8 @@ class Packer {
 
   // The lowest free place of a mask that ends at or below row `top`; among equally low places the
   // leftmost.
-  std::optional<Berth> berthFor(const Mask& mask, const std::vector<TakenRow>& square,
-                                int top) const {
+  std::optional<ChartPosition> positionFor(const Mask& mask, const std::vector<TakenRow>& square,
+                                           int top) const {
     for (int y = 0; y + mask.height <= top; ++y) {
       const bool isHopeless = std::any_of(
           mask.runs.begin(), mask.runs.end(),
@@ -311,39 +311,39 @@ class Packer {
         x = blocked.firstFree(x);
         if (x + mask.width > cells_) break;
       }
-      if (x + mask.width <= cells_) return Berth{x, y, 0};
+      if (x + mask.width <= cells_) return ChartPosition{x, y, 0};
     }
     return {};
   }
 
-  std::optional<std::vector<Berth>> tryScale(double scale) const {
+  std::optional<std::vector<ChartPosition>> tryScale(double scale) const {
     const auto masks = masksAt(scale);
     if (!masks) return {};
     std::vector<TakenRow> square(cells_, TakenRow(cells_));
-    std::vector<Berth> berths(charts_.size());
+    std::vector<ChartPosition> positions(charts_.size());
     for (const auto& [size, i] : order_) {
-      std::optional<Berth> best;
+      std::optional<ChartPosition> best;
       int top = cells_;
       for (std::size_t turn = 0; turn < kQuarters; ++turn) {
-        const std::optional<Berth> berth = berthFor((*masks)[i][turn], square, top);
-        if (!berth) continue;
-        best = {berth->x, berth->y, turn};
-        top = berth->y + (*masks)[i][turn].height - 1;
+        const std::optional<ChartPosition> position = positionFor((*masks)[i][turn], square, top);
+        if (!position) continue;
+        best = {position->x, position->y, turn};
+        top = position->y + (*masks)[i][turn].height - 1;
       }
       if (!best) return {};
       for (const CellRun& run : (*masks)[i][best->turn].runs)
         square[best->y + run.row].fill({run.length, run.row, best->x + run.begin});
-      berths[i] = *best;
+      positions[i] = *best;
     }
-    return berths;
+    return positions;
   }
 
-  Packing placed(const std::vector<Berth>& berths, double scale) {
+  Packing placed(const std::vector<ChartPosition>& positions, double scale) {
     const Vec2 pad = Vec2::Constant(rules_.padding);
     Packing packing{{}, scale};
     for (std::size_t i = 0; i < charts_.size(); ++i) {
-      PlaneChart chart = std::move(charts_[i][berths[i].turn]);
-      const Vec2 corner = double(cell_) * Vec2(berths[i].x, berths[i].y) + pad;
+      PlaneChart chart = std::move(charts_[i][positions[i].turn]);
+      const Vec2 corner = double(cell_) * Vec2(positions[i].x, positions[i].y) + pad;
       for (PlaneTriangle& triangle : chart)
         for (Vec2& p : triangle) p = scale * p + corner;
       packing.charts.push_back(std::move(chart));
