@@ -251,7 +251,7 @@ set(small
   src/remesh/conforming/unrolled.cpp
   src/remesh/gate/crossing_guard.cpp
   src/remesh/gate/nearness.cpp
-  src/remesh/ground/stand_in.cpp
+  src/remesh/ground/proxy.cpp
   src/remesh/guides/imprint.cpp
   src/remesh/guides/kept_guides.cpp
   src/remesh/guides/surface_guides.cpp
@@ -317,11 +317,11 @@ set(small
   src/remesh/schemes/guided.cpp
   src/remesh/schemes/isotropic.cpp
   src/remesh/schemes/kept_edges.cpp
-  src/remesh/schemes/land.cpp
   src/remesh/schemes/mirrored.cpp
   src/remesh/schemes/part_by_part.cpp
   src/remesh/schemes/plan.cpp
   src/remesh/schemes/remesh.cpp
+  src/remesh/schemes/reproject.cpp
   src/remesh/schemes/rounds.cpp
   src/remesh/schemes/shape_comparison.cpp
   src/remesh/schemes/targets.cpp

@@ -151,7 +151,7 @@ add_executable(unit_tests
   tests/unit/remesh/gate/excess_test.cpp
   tests/unit/remesh/gate/fidelity_test.cpp
   tests/unit/remesh/ground/decimate_test.cpp
-  tests/unit/remesh/ground/stand_in_test.cpp
+  tests/unit/remesh/ground/proxy_test.cpp
   tests/unit/remesh/guides/imprint_test.cpp
   tests/unit/remesh/guides/kept_guides_test.cpp
   tests/unit/remesh/guides/surface_guides_test.cpp

@@ -43,7 +43,7 @@ bool improve(const WorkingMesh& mesh, Place& place, const Start& start) {
   return true;
 }
 
-// The vertices of the original to measure from: all of them, or those that a stand-in kept. The
+// The vertices of the original to measure from: all of them, or those that a proxy kept. The
 // vertices that it left out lay beside these.
 class Posts {
  public:

@@ -11,7 +11,7 @@
 #include "remesh/accuracy/narrow_sizes.h"
 #include "remesh/accuracy/tips.h"
 #include "remesh/gate/angles.h"
-#include "remesh/schemes/land.h"
+#include "remesh/schemes/reproject.h"
 #include "remesh/schemes/targets.h"
 #include "remesh/steps/adapt.h"
 #include "remesh/steps/boundaries.h"
@@ -161,7 +161,7 @@ bool refine(Run& run, const Levels& levels, const Progress& progress) {
 // One pass of fitting goes half of the way from triangles that cut into the surface to triangles
 // that follow it. The worst triangles are mended; the farthest places are left.
 void finishDraft(Run& run, const Progress& progress) {
-  land(run);
+  reproject(run);
   fit(run, progress.phase("fit", 0, 1));
   progress.phase("polish", 1, 1);
   polish(run, {kFair});
@@ -172,8 +172,8 @@ void finish(Run& run, const Progress& progress) {
   progress.phase("polish", 0, 0);
   if (areFewBelow(run, kSound)) take("widen angles", [&] { widenAngles(run); });
   take("polish", [&] { polish(run, {kFine}); });
-  progress.phase("land", 0, 0);
-  land(run);
+  progress.phase("reproject", 0, 0);
+  reproject(run);
   take("fit", [&] { fit(run, progress.phase("fit", 0, 1)); });
   progress.phase("lower Hausdorff", 1, 1);
   take("lower Hausdorff", [&] { lowerHausdorff(run); });

@@ -154,7 +154,7 @@ Remeshed remeshOriginal(const Prepared& original, const RunSettings& settings,
   SizeField sizes = original.sizes();
   Run run{mesh, projector, sizes, {fidelityRule(options)}};
   run.asked.rule.quantum = settings.quantum;
-  run.grounds.standIn = original.standIn();
+  run.grounds.proxy = original.proxy();
   run.grounds.tree = &settings.tree;
   run.asked.stagger = settings.stagger;
   const std::size_t vertices = original.vertices();

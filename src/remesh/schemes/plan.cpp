@@ -15,8 +15,8 @@ namespace remesher {
 
 namespace {
 
-// A stand-in has so many vertices per vertex of the result; the original must have so many per
-// vertex of the stand-in.
+// A proxy has so many vertices per vertex of the result; the original must have so many per
+// vertex of the proxy.
 constexpr double kFiner = 4, kWorthThinning = 2;
 
 // At the same number of vertices graded sizes have a shorter mean edge than even ones: the number
@@ -58,16 +58,16 @@ std::optional<ErrorBound> errorBound(const OriginalSurface& surface, const Remes
                     std::max(0.0, *options.maxError / 100 - kWritten) * surface.diagonal());
 }
 
-// No stand-in with an error bound or a fidelity to normals, for these are judged on the original;
+// No proxy with an error bound or a fidelity to normals, for these are judged on the original;
 // none for the rounds, which are the report's.
-std::optional<StandIn> standInFor(const OriginalSurface& surface, std::size_t vertices,
-                                  const RemeshOptions& options) {
+std::optional<Proxy> proxyFor(const OriginalSurface& surface, std::size_t vertices,
+                              const RemeshOptions& options) {
   const bool fits = options.scheme == Scheme::Best && options.projection == Projection::Patches &&
                     options.fidelity.value_or(Fidelity::Fold) == Fidelity::Fold;
   const double thinned = kFiner * double(vertices);
   if (!fits || options.maxError) return {};
   if (double(surface.mesh().vertexCount()) < kWorthThinning * thinned) return {};
-  return StandIn(surface, evenEdgeLength(surface.area(), thinned));
+  return Proxy(surface, evenEdgeLength(surface.area(), thinned));
 }
 
 Warning warningOf(const Spikes& spikes, const BuiltMesh& built, const Frame& frame) {
@@ -195,7 +195,7 @@ Prepared::Prepared(Plan plan, const RemeshOptions& options, const Progress& prog
       density_(std::move(plan.density)),
       spikes_(std::move(plan.spikes)),
       surface_(std::move(plan.built), std::move(plan.curves), std::move(plan.flats)),
-      standIn_(spikes_.empty() ? standInFor(surface_, plan.vertices, options) : std::nullopt),
+      proxy_(spikes_.empty() ? proxyFor(surface_, plan.vertices, options) : std::nullopt),
       vertices_(finalTarget(
           ground(), options,
           withSpikes(sizeRules(options, double(plan.vertices), densityOnGround()), spikes_),
@@ -206,10 +206,10 @@ Prepared::Prepared(Plan plan, const RemeshOptions& options, const Progress& prog
       bound_(errorBound(surface_, options)) {}
 
 std::span<const float> Prepared::densityOnGround() {
-  if (!standIn_ || density_.size() != surface_.mesh().vertexCapacity()) return density_;
+  if (!proxy_ || density_.size() != surface_.mesh().vertexCapacity()) return density_;
   std::vector<float> onGround;
-  for (Index i = 0; i < standIn_->surface().mesh().vertexCapacity(); ++i)
-    onGround.push_back(density_[standIn_->onOriginal(Vertex(i)).index]);
+  for (Index i = 0; i < proxy_->surface().mesh().vertexCapacity(); ++i)
+    onGround.push_back(density_[proxy_->onOriginal(Vertex(i)).index]);
   density_ = std::move(onGround);
   return density_;
 }

@@ -11,7 +11,7 @@
 #include "base/progress.h"
 #include "original/surface/size_field.h"
 #include "remesh/gate/error_bound.h"
-#include "remesh/ground/stand_in.h"
+#include "remesh/ground/proxy.h"
 #include "remesh/schemes/curve_choice.h"
 
 namespace remesher {
@@ -46,9 +46,9 @@ class Prepared {
 
   const OriginalSurface& surface() const { return surface_; }
   // A thinned copy of the surface if that has far more vertices than the target, else null.
-  const StandIn* standIn() const { return standIn_ ? &*standIn_ : nullptr; }
-  // The surface that remeshing begins with: the stand-in if there is one.
-  const OriginalSurface& ground() const { return standIn_ ? standIn_->surface() : surface_; }
+  const Proxy* proxy() const { return proxy_ ? &*proxy_ : nullptr; }
+  // The surface that remeshing begins with: the proxy if there is one.
+  const OriginalSurface& ground() const { return proxy_ ? proxy_->surface() : surface_; }
   const SizeField& sizes() const;  // on the ground; computed when first asked for
   const std::optional<ErrorBound>& bound() const { return bound_; }
   const TransferRules& transfer() const { return transfer_; }
@@ -67,7 +67,7 @@ class Prepared {
   std::vector<float> density_;
   Spikes spikes_;
   OriginalSurface surface_;
-  std::optional<StandIn> standIn_;
+  std::optional<Proxy> proxy_;
   std::size_t vertices_;
   SizeRules rules_;
   mutable std::optional<SizeField> sizes_;

@@ -59,9 +59,9 @@ void bringNearer(WorkingMesh& mesh, const Prepared& original, const RemeshOption
                  const Quantum& quantum) {
   Projector projector = projectorFor(original, options);
   SizeField sizes = original.sizes();
-  if (const StandIn* standIn = original.standIn()) {
+  if (const Proxy* proxy = original.proxy()) {
     projector.moveOnto(original.surface());
-    sizes.moveOnto(original.surface(), standIn->collapseMap());
+    sizes.moveOnto(original.surface(), proxy->collapseMap());
   }
   Run run{mesh, projector, sizes, {fidelityRule(options)}};
   run.asked.rule.quantum = quantum;

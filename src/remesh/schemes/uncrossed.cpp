@@ -10,7 +10,7 @@
 #include "remesh/accuracy/needles.h"
 #include "remesh/accuracy/uncross.h"
 #include "remesh/gate/angles.h"
-#include "remesh/schemes/land.h"
+#include "remesh/schemes/reproject.h"
 #include "remesh/steps/adapt.h"
 #include "remesh/steps/coarsen.h"
 #include "remesh/steps/delaunay.h"
@@ -105,7 +105,7 @@ Uncrossed keepUncrossed(Run& run, std::size_t vertices) {
 }
 
 Uncrossed makeUncrossed(Run& run, std::size_t vertices) {
-  land(run);
+  reproject(run);
   run.asked.rule = lenient(run);
   return withoutNeedles(run, vertices, madeAnew(run, vertices, startAnew(run, vertices)));
 }

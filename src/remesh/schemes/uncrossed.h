@@ -18,7 +18,7 @@ struct Uncrossed {
 // original by steps that add no intersection, so that none is left that the original lacks.
 Uncrossed keepUncrossed(Run& run, std::size_t vertices);
 
-// The same in place of a scheme, from the original or its stand-in, with steps that allow tighter
+// The same in place of a scheme, from the original or its proxy, with steps that allow tighter
 // folds: for surfaces of so many pieces and handles that a scheme would try in vain for minutes.
 Uncrossed makeUncrossed(Run& run, std::size_t vertices);
 

@@ -10,7 +10,7 @@
 #include "base/progress.h"
 #include "original/surface/size_field.h"
 #include "remesh/gate/fidelity.h"
-#include "remesh/ground/stand_in.h"
+#include "remesh/ground/proxy.h"
 #include "remesh/operators/local_operators.h"
 #include "remesh/steps/effort.h"
 
@@ -33,9 +33,9 @@ struct Asked {
 
 // What there is of the original besides the surface that the mesh lies on.
 struct Grounds {
-  const StandIn* standIn = nullptr;  // what the mesh lies on until it lands, if not on the original
-  std::optional<Thinned> thinned;    // the stand-in before the mesh landed, if it has
-  OriginalTree* tree = nullptr;      // of the original, if the caller wants it afterwards
+  const Proxy* proxy = nullptr;    // what the mesh lies on until it is reprojected, if there is one
+  std::optional<Thinned> thinned;  // the proxy that the mesh was reprojected from, if any
+  OriginalTree* tree = nullptr;    // of the original, if the caller wants it afterwards
 };
 
 // Where the change at hand is put together: one at a time, without memory of the change before.

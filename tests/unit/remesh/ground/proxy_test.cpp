@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "remesh/ground/stand_in.h"
+#include "remesh/ground/proxy.h"
 
 #include <doctest/doctest.h>
 
@@ -8,7 +8,7 @@
 #include "mesh/topology.h"
 #include "remesh/accuracy/places.h"
 #include "remesh/ground/decimate.h"
-#include "remesh/schemes/land.h"
+#include "remesh/schemes/reproject.h"
 #include "remesh/steps/sweeps.h"
 #include "support/runs.h"
 
@@ -21,46 +21,46 @@ TriangleMesh fineCylinder() { return shapes::cylinder(90, 40); }
 
 }  // namespace
 
-TEST_CASE("stand_in: it has fewer vertices, all of the original's, and the same topology") {
+TEST_CASE("proxy: it has fewer vertices, all of the original's, and the same topology") {
   const OriginalSurface original = shapes::surfaceOf(shapes::icosphere(24), shapes::Features::None);
-  const StandIn standIn(original, 0.15);
-  const OriginalSurface& surface = standIn.surface();
+  const Proxy proxy(original, 0.15);
+  const OriginalSurface& surface = proxy.surface();
   CHECK(surface.mesh().vertexCount() < original.mesh().vertexCount() / 3);
   CHECK(eulerCharacteristic(surface.mesh()) == 2);
   for (Index v = 0; v < surface.mesh().vertexCapacity(); ++v) {
-    const Vertex there = standIn.onOriginal(Vertex(v));
+    const Vertex there = proxy.onOriginal(Vertex(v));
     CHECK(surface.positions()[Vertex(v)] == original.positions()[there]);
-    CHECK(standIn.collapseMap()[there] == Vertex(v));
+    CHECK(proxy.collapseMap()[there] == Vertex(v));
   }
 }
 
-TEST_CASE("stand_in: curves are the same, place by place") {
+TEST_CASE("proxy: curves are the same, place by place") {
   const OriginalSurface original = shapes::surfaceOf(fineCylinder());
-  const StandIn standIn(original, 0.1 * original.diagonal());
-  const FeatureCurves &now = standIn.surface().curves(), &before = original.curves();
-  CHECK(standIn.surface().mesh().vertexCount() < original.mesh().vertexCount());
+  const Proxy proxy(original, 0.1 * original.diagonal());
+  const FeatureCurves &now = proxy.surface().curves(), &before = original.curves();
+  CHECK(proxy.surface().mesh().vertexCount() < original.mesh().vertexCount());
   REQUIRE(now.chains().size() == before.chains().size());
   for (Index c = 0; c < now.chains().size(); ++c) {
     CHECK(now.chains()[c].arcs == before.chains()[c].arcs);
     for (const double share : {0.0, 0.3, 0.77, 1.0}) {
       const CurvePoint point{c, share * now.chains()[c].length()};
-      CHECK((now.locate(standIn.surface().mesh(), standIn.surface().positions(), point).position -
+      CHECK((now.locate(proxy.surface().mesh(), proxy.surface().positions(), point).position -
              before.locate(original.mesh(), original.positions(), point).position)
                 .norm() == 0);
     }
   }
 }
 
-TEST_CASE("stand_in: what is far from a coarse mesh is seen from its vertices, which are few") {
+TEST_CASE("proxy: what is far from a coarse mesh is seen from its vertices, which are few") {
   const OriginalSurface original = shapes::surfaceOf(shapes::icosphere(24), shapes::Features::None);
-  const StandIn standIn(original, 0.1);
-  SizeField sizes(standIn.surface(), {.vertices = 40});
-  Projector projector(standIn.surface());
-  WorkingMesh mesh(standIn.surface());
+  const Proxy proxy(original, 0.1);
+  SizeField sizes(proxy.surface(), {.vertices = 40});
+  Projector projector(proxy.surface());
+  WorkingMesh mesh(proxy.surface());
   decimate(mesh, {}, VertexData<double>(mesh.mesh().vertexCapacity(), 0.6));
   Run run{mesh, projector, sizes, {}};
-  run.grounds.standIn = &standIn;
-  land(run);
+  run.grounds.proxy = &proxy;
+  reproject(run);
   const auto look = [&] { return measurePlaces(run, 0, 0); };
   const auto farthest = [](const std::vector<Place>& places) {
     double most = 0;
@@ -70,23 +70,23 @@ TEST_CASE("stand_in: what is far from a coarse mesh is seen from its vertices, w
   const std::vector<Place> few = look();
   run.grounds.thinned.reset();
   const std::vector<Place> all = look();
-  CHECK(few.size() <= standIn.surface().mesh().vertexCount());
+  CHECK(few.size() <= proxy.surface().mesh().vertexCount());
   CHECK(all.size() > 2 * few.size());
   CHECK(farthest(few) > 0.9 * farthest(all));
 }
 
-TEST_CASE("stand_in: a mesh that lands lies on the original, its curve vertices where they were") {
+TEST_CASE("proxy: a reprojected mesh lies on the original, its curve vertices where they were") {
   const OriginalSurface original = shapes::surfaceOf(fineCylinder());
-  const StandIn standIn(original, 0.1 * original.diagonal());
-  SizeField sizes(standIn.surface(), {.vertices = 300, .adaptivity = 0.5});
-  Projector projector(standIn.surface(), Projection::Patches, 2 * sizes.mean());
-  WorkingMesh mesh(standIn.surface());
+  const Proxy proxy(original, 0.1 * original.diagonal());
+  SizeField sizes(proxy.surface(), {.vertices = 300, .adaptivity = 0.5});
+  Projector projector(proxy.surface(), Projection::Patches, 2 * sizes.mean());
+  WorkingMesh mesh(proxy.surface());
   Run run{mesh, projector, sizes, {}};
-  run.grounds.standIn = &standIn;
+  run.grounds.proxy = &proxy;
   laplacianSweep(run);
   const WorkingMesh before = mesh;
-  land(run);
-  CHECK(run.grounds.standIn == nullptr);
+  reproject(run);
+  CHECK(run.grounds.proxy == nullptr);
   CHECK(&mesh.surface() == &original);
   CHECK(shapes::checkWorkingMesh(mesh) == "");
   for (Index i = 0; i < mesh.mesh().vertexCapacity(); ++i) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A large original slows every step, though coarse triangles need no detail of a hundredth of their
-// edges. So a thinned copy, whose vertices know their places on the original, stands in for the
-// original until the mesh lands on it.
+// edges. So the steps use a proxy: a decimated copy, whose vertices know their places on the
+// original. Near the end the mesh is reprojected onto the original.
 #pragma once
 
 #include "original/surface/original_surface.h"
@@ -16,25 +16,25 @@ struct Thinned {
   const VertexData<Vertex>* collapseMap;
 };
 
-class StandIn {
+class Proxy {
  public:
-  // `original` must outlive the stand-in. edge: the approximate length of its edges, model units.
-  StandIn(const OriginalSurface& original, double edge);
+  // `original` must outlive the proxy. edge: the approximate length of its edges, model units.
+  Proxy(const OriginalSurface& original, double edge);
 
   const OriginalSurface& surface() const { return surface_; }
   const OriginalSurface& original() const { return *original_; }
 
-  // The original's vertex at a vertex of the stand-in.
+  // The original's vertex at a vertex of the proxy.
   Vertex onOriginal(Vertex v) const { return onOriginal_[v]; }
-  // The point of the original that is nearest to one of the stand-in.
+  // The point of the original that is nearest to one of the proxy.
   SurfacePoint onOriginal(const SurfacePoint& p) const;
-  // Per vertex of the original the vertex of the stand-in that it was collapsed into.
+  // Per vertex of the original the vertex of the proxy that it was collapsed into.
   const VertexData<Vertex>& collapseMap() const { return collapseMap_; }
   Thinned thinned() const { return {&surface_.mesh(), &onOriginal_, &collapseMap_}; }
 
  private:
   struct Parts;
-  StandIn(const OriginalSurface& original, Parts&& thinned);
+  Proxy(const OriginalSurface& original, Parts&& thinned);
 
   const OriginalSurface* original_;
   VertexData<Vertex> collapseMap_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "remesh/ground/stand_in.h"
+#include "remesh/ground/proxy.h"
 
 #include <utility>
 
@@ -8,7 +8,7 @@
 
 namespace remesher {
 
-struct StandIn::Parts {
+struct Proxy::Parts {
   BuiltMesh built;
   FeatureCurves curves;
   VertexData<Vertex> collapseMap, onOriginal;
@@ -27,8 +27,8 @@ VertexData<Vertex> ancestors(const WorkingMesh& thinned) {
 
 }  // namespace
 
-StandIn::StandIn(const OriginalSurface& original, double edge)
-    : StandIn(original, [&] {
+Proxy::Proxy(const OriginalSurface& original, double edge)
+    : Proxy(original, [&] {
         WorkingMesh mesh(original);
         const VertexData<double> spacing(mesh.mesh().vertexCapacity(), edge);
         VertexData<Vertex> collapseMap = decimate(mesh, FidelityRule{}, spacing);
@@ -43,14 +43,14 @@ StandIn::StandIn(const OriginalSurface& original, double edge)
                      std::move(onOriginal)};
       }()) {}
 
-StandIn::StandIn(const OriginalSurface& original, Parts&& thinned)
+Proxy::Proxy(const OriginalSurface& original, Parts&& thinned)
     : original_(&original),
       collapseMap_(std::move(thinned.collapseMap)),
       onOriginal_(std::move(thinned.onOriginal)),
       surface_(std::move(thinned.built), std::move(thinned.curves)) {}
 
 // Takes the nearest end of three walks, from the places of the three corners.
-SurfacePoint StandIn::onOriginal(const SurfacePoint& p) const {
+SurfacePoint Proxy::onOriginal(const SurfacePoint& p) const {
   const Vec3 target = surface_.position(p);
   SurfacePoint best;
   double shortest = kInfinity;
