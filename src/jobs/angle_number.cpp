@@ -56,17 +56,18 @@ double seenAway(const TriangleMesh& input, const RemeshOutcome& made) {
 // away: as seenAway gives it.
 Warning awayForAngle(double away) {
   return {"SHAPE_TAKES_MORE",
-          "The smallest angle that is wanted takes the surface up to " +
+          "With the smallest angle that is asked for, the surface is up to " +
               inDigits(100 * kSeen * away, kDigitsAway) +
-              " % of the diagonal away. Ask for a greater number of vertices, or a smaller angle."};
+              " % of the diagonal away. Ask for more vertices, or a smaller angle."};
 }
 
 }  // namespace
 
 Warning moreForAngle(std::size_t vertices, std::size_t own) {
   return {"MORE_VERTICES_TAKEN", "No number of vertices was given: a mesh of " +
-                                     std::to_string(own) + " has " + std::to_string(vertices) +
-                                     " now, which the smallest angle that is wanted takes."};
+                                     std::to_string(own) + " vertices now has " +
+                                     std::to_string(vertices) +
+                                     ", which the smallest angle that is asked for needs."};
 }
 
 bool leadsByAngle(const RemeshOptions& options) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where a smallest angle is wanted: the number of vertices, if neither a number is asked for nor
-// lengths that lead to one; and the mesh, whose facets may keep the angle as well.
+// With `minAngle`: finds the number of vertices if neither it nor edge lengths are given, and takes
+// the mesh of the part's facets where that keeps the angle.
 #pragma once
 
 #include "base/options.h"
@@ -16,20 +16,19 @@ bool leadsByAngle(const RemeshOptions& options);
 // Whether a smallest angle is all that is wanted beside a number.
 bool limitsAngle(const RemeshOptions& options);
 
-// With a number. Of a part made of facets the mesh that would be made without the limit, if it
-// keeps it, or if it has the part's shape and triangles that are limited would visibly dent it.
+// With a number of vertices. For a part made of facets, takes the mesh without the limit if that
+// keeps it, or if the mesh within the limit would visibly dent the part.
 RemeshOutcome remeshAtAngle(const TriangleMesh& input, Welding welding,
                             const RemeshOptions& options, const Progress& progress);
 
-// That a mesh got more vertices than its own, for the angle.
+// The warning that a mesh got more vertices than the input has, for the angle.
 Warning moreForAngle(std::size_t vertices, std::size_t own);
 
-// The mesh that would be made without the limit if it keeps it, also of the numbers below. Else
-// isotropic triangles: of that mesh's number of vertices, or of the first number, each twice the
-// one before, with which hardly any angle is smaller and, if the other mesh has the input's shape,
-// no place is visibly away; if none is such, the nearest of those that keep the angle, and
-// SHAPE_TAKES_MORE. Of small parts up to 10,000 are tried, of others four times the input's; the
-// report says what was taken.
+// Without a number of vertices. Takes the mesh without the limit if it keeps the angle. Else makes
+// isotropic triangles, first with as many vertices, then with twice the number each time, until
+// hardly any angle is smaller and, if the mesh without the limit has the input's shape, the
+// distance is not visible. If no number does, takes the nearest mesh that keeps the angle and warns
+// SHAPE_TAKES_MORE. Tries at most 10,000 vertices or, if that is more, four times the input's.
 RemeshOutcome remeshToAngle(const TriangleMesh& input, Welding welding,
                             const RemeshOptions& options, const Progress& progress);
 

@@ -32,8 +32,7 @@ constexpr double kUneven = 25;
 // vertices: of isotropic triangles that keep the bound.
 Warning evenTakeMore(std::size_t vertices) {
   return {"ISOTROPIC_TAKES_MORE",
-          "The vertices that the shape needs keep the bound, in uneven triangles. Isotropic ones "
-          "take about " +
+          "Fewer vertices keep the bound, in uneven triangles. Isotropic ones need about " +
               std::to_string(vertices) + " vertices: ask for that number to get them."};
 }
 

@@ -29,7 +29,7 @@ bool hasEvenAngles(const TriangleMesh& mesh) {
   return inspectMesh(mesh).minAngle.mean >= kIsotropicAngle;
 }
 
-// Whether the triangles are isotropic, and nowhere seen to be away.
+// Whether the triangles are isotropic, and nowhere visibly away from the original.
 bool isIsotropic(const TriangleMesh& input, const RemeshOutcome& made) {
   if (made.stopped != Stopped::Target || !hasEvenAngles(made.mesh)) return false;
   const DeviationBothWays found = measureDeviation(input, made.mesh, Maximum::Sampled);
@@ -37,10 +37,11 @@ bool isIsotropic(const TriangleMesh& input, const RemeshOutcome& made) {
 }
 
 Warning moreTaken(std::size_t vertices, std::size_t own) {
-  return {"MORE_VERTICES_TAKEN",
-          "No number of vertices was given: a mesh of " + std::to_string(own) + " has " +
-              std::to_string(vertices) +
-              " now, about the fewest of isotropic triangles within 0.05 % of the diagonal."};
+  return {
+      "MORE_VERTICES_TAKEN",
+      "No number of vertices was given: a mesh of " + std::to_string(own) + " vertices now has " +
+          std::to_string(vertices) +
+          ", about the fewest with which isotropic triangles stay within 0.05 % of the diagonal."};
 }
 
 // enough: a number that suffices, 0 if none is known.
@@ -48,11 +49,12 @@ Warning takesMore(double enough, std::size_t own) {
   const std::string number = enough > 0 ? "about " + std::to_string(std::size_t(enough)) +
                                               " vertices: ask for that number to get them."
                                         : std::string("more than four times as many.");
-  return {"ISOTROPIC_TAKES_MORE",
-          "No number of vertices was given: a mesh of " + std::to_string(own) +
-              " keeps its number, its shape and uneven triangles. Isotropic ones within 0.05 % of "
-              "the diagonal take " +
-              number};
+  return {
+      "ISOTROPIC_TAKES_MORE",
+      "No number of vertices was given: a mesh of " + std::to_string(own) +
+          " vertices keeps its number and its shape, with uneven triangles. Isotropic ones within "
+          "0.05 % of the diagonal need " +
+          number};
 }
 
 class OpenNumber {

@@ -90,7 +90,7 @@ std::vector<std::optional<double>> spacingsOf(const std::vector<io::Part>& parts
   return spacings;
 }
 
-// Each part is repaired for itself, so parts may still intersect each other.
+// Each part is repaired by itself, so parts may still intersect each other.
 void warnOfMeeting(std::vector<PlacedWarning>& warnings, const std::vector<io::Part>& parts) {
   io::Model bodies;
   bodies.parts = parts;
@@ -102,7 +102,7 @@ void warnOfMeeting(std::vector<PlacedWarning>& warnings, const std::vector<io::P
   const Index corner = merged.indices[3 * std::size_t{meeting.front()}];
   warnings.push_back(
       {{"PARTS_MEET",
-        "Triangles of parts intersect those of other parts: each part was repaired for itself. "
+        "Triangles of parts intersect those of other parts: each part was repaired by itself. "
         "In an .stl file all become one surface.",
         meeting.size()},
        merged.positions[corner]});
@@ -226,8 +226,8 @@ RoundedMesh inSoundPrecisionOf(const TriangleMesh& original, RemeshOutcome& outc
   outcome.coincident = 0;
   outcome.warnings.push_back(
       {"ONLY_REPAIRED",
-       "Parts of the repaired surface are too near to each other for coordinates of "
-       "so few digits to be remeshed: they are as repair has left them.",
+       "Parts of the repaired surface are too near to each other to be remeshed in coordinates of "
+       "so few digits: the repaired surface is written as it is.",
        1});
   return {original, 0};
 }

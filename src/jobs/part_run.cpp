@@ -106,8 +106,8 @@ RemeshOutcome remeshAsShown(PartInput part, const PartTarget& target, const Prog
     if (isAsked)
       outcome.warnings.push_back(
           {"SHAPE_NOT_PREFERRED",
-           "Vertices where the shape needs them most would make triangles of "
-           "the repaired surface intersect: isotropic triangles were made instead.",
+           "Simplification would make the repaired surface intersect itself: isotropic triangles "
+           "were made instead.",
            1});
     return outcome;
   } catch (const TooFewVertices& error) {

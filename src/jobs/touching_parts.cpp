@@ -173,10 +173,11 @@ void TouchingParts::warnOfTouching() {
     warnings_.back().at = touching.gapAt;
   }
   if (complex_.left > 0) {
-    warnings_.push_back({"COMMON_FACES_LEFT",
-                         "Faces that touch were remeshed apart: within the precision of the file "
-                         "they do not lie in one plane, or their borders cross.",
-                         complex_.left});
+    warnings_.push_back(
+        {"COMMON_FACES_LEFT",
+         "Faces that touch were remeshed separately: within the precision of the file "
+         "they do not lie in one plane, or their borders cross.",
+         complex_.left});
     warnings_.back().at = complex_.leftAt;
   }
   warnOfCrossings();

@@ -95,7 +95,7 @@ std::vector<Warning> warningsOf(const MadeCrossings& made, const std::vector<io:
   if (made.count == 0) return {};
   const Vec3& place = result[made.part].mesh.positions[made.vertex];
   return {{"SELF_INTERSECTIONS_MADE",
-           "Triangles of the result intersect others where the surface given does not, as near (" +
+           "Triangles of the result intersect others where the input's do not, for example near (" +
                placeInWords(place, result) + ").",
            made.count, place}};
 }
