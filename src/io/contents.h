@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tells by its bytes alone what a file is.
+// Detects the format of a file by its bytes alone.
 #pragma once
 
 #include <string_view>
@@ -14,7 +14,7 @@ struct Content {
   std::string_view advice;     // how to come to a file that can be read
 };
 
-// Of a file that is too vague, as an OFF without its first word, nothing is told.
+// Empty for a file that could be of several formats, such as an OFF without its first word.
 Content contentOf(const File& file);
 
 // What a file with a source is, if it is of a format that is read in blocks: binary PLY or STL.

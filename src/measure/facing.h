@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How large a mesh's triangles are, in sum and by the direction they face.
+// The area of a mesh and the second moments of its normals.
 #pragma once
 
 #include "base/triangle_mesh.h"

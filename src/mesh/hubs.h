@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Vertices of a thousand triangles and more, such as the middle of a cap. An algorithm that looks
-// at the whole star for each of its triangles hardly ends there.
+// Hubs: vertices of very high valence (1000 triangles or more), such as the middle of a cap. An
+// algorithm that visits the whole star for each of its triangles takes quadratic time there.
 #pragma once
 
 #include <algorithm>
@@ -17,8 +17,8 @@ class Hubs {
 
   explicit Hubs(const HalfedgeMesh& mesh, std::size_t fewestSpokes = kFewestSpokes);
 
-  // For algorithms that begin a walk over the whole star at each of its triangles: there a tenth as
-  // many triangles take as long.
+  // With a tenth of that valence, for algorithms that start a walk over the whole star at each of
+  // its triangles: they take as long there.
   static Hubs ofWalks(const HalfedgeMesh& mesh) { return Hubs(mesh, kFewestSpokes / 10); }
 
   bool empty() const { return hubs_.empty(); }

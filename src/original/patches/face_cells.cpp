@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Two rounds of growth by distance from seeds. In the first round cells fill up one after another
-// and leave crumbs between them. In the second round all large enough cells grow at once from their
-// middles, which distributes the crumbs and evens the cells. Faces outside every cone are then
-// filled up one cell after another again.
+// and leave fragments between them. In the second round all large enough cells grow at once from
+// their middles, which distributes the fragments and evens the cells. Faces outside every cone are
+// then filled up one cell after another again.
 #include "original/patches/face_cells.h"
 
 #include <algorithm>
@@ -19,8 +19,8 @@ namespace {
 // like a sock would have a useless, squeezed image in the disk.
 constexpr float kCellCone = 0.3f;
 
-// Cells of the first round below this share of the wanted size are crumbs.
-constexpr std::size_t kCrumbShare = 4;
+// Cells of the first round below this share of the wanted size are fragments.
+constexpr std::size_t kFragmentShare = 4;
 
 struct Candidate {
   Face face;
@@ -166,7 +166,7 @@ class CellGrowth {
         centre += frames_[taken_[last]].centroid;
         normal += frames_[taken_[last]].normal;
       }
-      if (last - first < size_ / kCrumbShare) continue;
+      if (last - first < size_ / kFragmentShare) continue;
       centre /= float(last - first);
       const auto nearer = [&](Face f, Face g) {
         return (frames_[f].centroid - centre).squaredNorm() <

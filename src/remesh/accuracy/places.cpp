@@ -45,34 +45,37 @@ bool improve(const WorkingMesh& mesh, Place& place, const Start& start) {
 
 // The vertices of the original to measure from: all of them, or those that a proxy kept. The
 // vertices that it left out lay beside these.
-class Posts {
+class Anchors {
  public:
-  explicit Posts(const Run& run)
+  explicit Anchors(const Run& run)
       : original_(run.mesh.surface().mesh()), thinned_(run.grounds.thinned) {}
 
-  // The neighbourhood of posts: a mesh whose vertices are the posts, by numbers of their own.
+  // The neighbourhood of anchors: a mesh whose vertices are the anchors, by numbers of their own.
   const HalfedgeMesh& mesh() const { return thinned_ ? *thinned_->mesh : original_; }
   Vertex near(Vertex original) const {
     return thinned_ ? (*thinned_->collapseMap)[original] : original;
   }
-  Vertex original(Vertex post) const { return thinned_ ? (*thinned_->onOriginal)[post] : post; }
+  Vertex original(Vertex anchor) const {
+    return thinned_ ? (*thinned_->onOriginal)[anchor] : anchor;
+  }
 
  private:
   const HalfedgeMesh& original_;
   const std::optional<Thinned> thinned_;
 };
 
-// For each post a vertex of the mesh that lies near it along the surface: one on the post's own
-// faces or, failing that, the one of a neighbouring post. Posts that only a hub reaches come last.
+// For each anchor a vertex of the mesh that lies near it along the surface: one on the anchor's own
+// faces or, failing that, the one of a neighbouring anchor. Anchors that only a hub reaches come
+// last.
 class NearbyVertices {
  public:
-  NearbyVertices(const WorkingMesh& mesh, const Posts& posts)
-      : posts_(posts), near_(posts.mesh().vertexCapacity()) {
+  NearbyVertices(const WorkingMesh& mesh, const Anchors& anchors)
+      : anchors_(anchors), near_(anchors.mesh().vertexCapacity()) {
     seed(mesh);
     spread();
   }
 
-  Vertex operator[](Vertex post) const { return near_[post]; }
+  Vertex operator[](Vertex anchor) const { return near_[anchor]; }
 
  private:
   void seed(const WorkingMesh& mesh) {
@@ -81,17 +84,17 @@ class NearbyVertices {
       const Vertex w(i);
       if (!mesh.mesh().isAlive(w)) continue;
       for (const Vertex v : mesh.surface().mesh().vertices(mesh.at(w).face)) {
-        const Vertex post = posts_.near(v);
-        const Vec3& at = positions[posts_.original(post)];
-        if (!near_[post]) reached_.push_back(post);
+        const Vertex anchor = anchors_.near(v);
+        const Vec3& at = positions[anchors_.original(anchor)];
+        if (!near_[anchor]) reached_.push_back(anchor);
         const auto distance2 = [&](Vertex u) { return (mesh.position(u) - at).squaredNorm(); };
-        if (!near_[post] || distance2(w) < distance2(near_[post])) near_[post] = w;
+        if (!near_[anchor] || distance2(w) < distance2(near_[anchor])) near_[anchor] = w;
       }
     }
   }
 
   void spreadFrom(Vertex from) {
-    posts_.mesh().forEachNeighbor(from, [&](Vertex v) {
+    anchors_.mesh().forEachNeighbor(from, [&](Vertex v) {
       if (near_[v]) return;
       near_[v] = near_[from];
       reached_.push_back(v);
@@ -99,7 +102,7 @@ class NearbyVertices {
   }
 
   void spread() {
-    const Hubs hubs = Hubs::ofWalks(posts_.mesh());
+    const Hubs hubs = Hubs::ofWalks(anchors_.mesh());
     std::vector<Vertex> waiting;
     for (std::size_t head = 0; head < reached_.size() || !waiting.empty();) {
       const bool isLast = head == reached_.size();
@@ -112,7 +115,7 @@ class NearbyVertices {
     }
   }
 
-  const Posts& posts_;
+  const Anchors& anchors_;
   VertexData<Vertex> near_;
   std::vector<Vertex> reached_;
 };
@@ -125,18 +128,18 @@ class Survey {
         surely_(surely),
         mesh_(run.mesh),
         hubs_(Hubs::ofWalks(run.mesh.mesh())),
-        posts_(run),
-        nearby_(run.mesh, posts_),
-        near_(posts_.mesh().vertexCapacity(), 0) {}
+        anchors_(run),
+        nearby_(run.mesh, anchors_),
+        near_(anchors_.mesh().vertexCapacity(), 0) {}
 
   std::vector<Place> places() {
-    const HalfedgeMesh& posts = posts_.mesh();
-    for (Index i = 0; i < posts.vertexCapacity(); ++i) {
-      const Vertex post(i);
-      if (!posts.isAlive(post) || !nearby_[post]) continue;
-      const Vertex v = posts_.original(post), w = nearby_[post];
-      near_[post] = isSurelyNear(v, w);
-      if (!near_[post]) add(mesh_.surface().at(v), faceAt(w));
+    const HalfedgeMesh& anchors = anchors_.mesh();
+    for (Index i = 0; i < anchors.vertexCapacity(); ++i) {
+      const Vertex anchor(i);
+      if (!anchors.isAlive(anchor) || !nearby_[anchor]) continue;
+      const Vertex v = anchors_.original(anchor), w = nearby_[anchor];
+      near_[anchor] = isSurelyNear(v, w);
+      if (!near_[anchor]) add(mesh_.surface().at(v), faceAt(w));
     }
     addInside();
     return std::move(places_);
@@ -234,12 +237,12 @@ class Survey {
                                            squaredLengthOf(f, 2)};
     const double largest = greatest(squared[0], squared[1], squared[2]);
     const double size = run_.asked.scale * run_.sizes.at(corners[0]);
-    const auto isNear = [this](Vertex v) { return near_[posts_.near(v)] != 0; };
+    const auto isNear = [this](Vertex v) { return near_[anchors_.near(v)] != 0; };
     if (std::all_of(corners.begin(), corners.end(), isNear)) return {};
     const auto side = int(std::find(squared.begin(), squared.end(), largest) - squared.begin());
     const double longest = std::sqrt(largest);
     const double steps = std::ceil(longest / (kSpacing * size));
-    if (!(steps > 1) || !nearby_[posts_.near(corners[0])]) return {};
+    if (!(steps > 1) || !nearby_[anchors_.near(corners[0])]) return {};
     const double height = areaVector(p[corners[0]], p[corners[1]], p[corners[2]]).norm() / longest;
     return {side, steps, std::max(1.0, std::ceil(height / (kSpacing * size)))};
   }
@@ -269,8 +272,8 @@ class Survey {
   Face startFor(Face f) const {
     const auto corners = mesh_.surface().mesh().vertices(f);
     for (const Vertex v : corners)
-      if (const Vertex w = nearby_[posts_.near(v)]; w && !hubs_.contains(w)) return faceAt(w);
-    return faceAt(nearby_[posts_.near(corners[0])]);
+      if (const Vertex w = nearby_[anchors_.near(v)]; w && !hubs_.contains(w)) return faceAt(w);
+    return faceAt(nearby_[anchors_.near(corners[0])]);
   }
 
   // A side that two triangles share is looked at once.
@@ -313,12 +316,12 @@ class Survey {
   const double enough_, surely_;
   const WorkingMesh& mesh_;
   const Hubs hubs_;
-  const Posts posts_;
+  const Anchors anchors_;
   const NearbyVertices nearby_;
   // For the few places whose nearest triangle no walk finds: those inside triangles of the original
   // far larger than the mesh's.
   std::optional<MeshTree> tree_;
-  VertexData<char> near_;     // surely, per post
+  VertexData<char> near_;     // surely, per anchor
   std::vector<Face> starts_;  // of the walks to the place at hand
   std::vector<Place> places_;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Says where quads miss the number of vertices that was asked for.
+// The warning that quads miss the requested number of vertices.
 #pragma once
 
 #include <cmath>

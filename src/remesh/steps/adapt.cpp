@@ -24,7 +24,7 @@ constexpr double kMustGo = 0.4;
 // Beyond this length only the longest side of a triangle is halved [Rivara 1984]. Halving all sides
 // of a triangle of such edges, whatever its shape, would pile vertices up beside its longest and
 // make slivers without end.
-constexpr double kGiant = 3;
+constexpr double kOverlong = 3;
 
 bool isLongestBeside(const HalfedgeMesh& mesh, Halfedge h, VertexSizes& sizes) {
   const double length = sizes.relativeLength(h);
@@ -37,8 +37,8 @@ bool isLongestBeside(const HalfedgeMesh& mesh, Halfedge h, VertexSizes& sizes) {
 }
 
 // Splits the long edges there are, up to a limit of vertices. New edges wait for the next call, and
-// so do giants that are not the longest in their triangles. Returns the number of splits and of
-// waiting giants.
+// so do overlong edges that are not the longest in their triangles. Returns the number of splits
+// and of waiting overlong edges.
 std::size_t splitLong(Run& run, std::size_t limit) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
   std::size_t count = 0;
@@ -49,7 +49,7 @@ std::size_t splitLong(Run& run, std::size_t limit) {
     if (!mesh.isEdge(h)) continue;
     const double length = sizes.relativeLength(h);
     if (length <= kLong) continue;
-    if (length > kGiant && !isLongestBeside(mesh, h, sizes))
+    if (length > kOverlong && !isLongestBeside(mesh, h, sizes))
       ++count;
     else if (proposeSplit(run.mesh, run.projector, h, run.scratch.change))
       count += commit(run);

@@ -6,8 +6,8 @@
 
 namespace remesher {
 
-// How far a vertex goes: so many times the way to where its neighbours, which follow it, want it.
-// Waves many edges long then settle in far fewer passes (successive over-relaxation).
+// Successive over-relaxation: a vertex moves so many times the way to the mean of its neighbours,
+// which follow it. Errors many edges long then decay in far fewer passes.
 inline constexpr double kBeyondMean = 1.3;
 
 // Up to `passes` Laplacian passes over the vertices that are not at rest: those whose star has

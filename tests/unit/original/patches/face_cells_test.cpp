@@ -50,7 +50,7 @@ TEST_CASE("face_cells: cells are of about the wanted size and nearly flat") {
   const Surface sphere = surfaces::surface("", shapes::icosphere(20));
   const auto frames = faceFrames(sphere.mesh(), sphere.positions());
   const FaceCells cells = partitionFaces(sphere.mesh(), frames, {}, 100);
-  // 8000 faces: 80 cells if all were full; crumbs are shared out, so not many more.
+  // 8000 faces: 80 cells if all were full; fragments are shared out, so not many more.
   CHECK(cells.count() >= 60);
   CHECK(cells.count() <= 130);
   for (Index cell = 0; cell < cells.count(); ++cell)
