@@ -41,7 +41,6 @@ struct QuarterTurn {
     return result;
   }
 
-  bool isNone() const { return *this == QuarterTurn{}; }
   bool operator==(const QuarterTurn&) const = default;
 };
 

@@ -115,16 +115,4 @@ BodySoup bodiesOf(const TriangleMesh& mesh, std::span<const Index> pieces) {
   return soup;
 }
 
-bool isBalanced(std::span<const std::array<Index, 3>> triangles) {
-  std::vector<std::pair<Index, Index>> there, back;
-  for (const std::array<Index, 3>& t : triangles)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Index a = t[k], b = t[(k + 1) % 3];
-      (a < b ? there : back).emplace_back(std::min(a, b), std::max(a, b));
-    }
-  std::sort(there.begin(), there.end());
-  std::sort(back.begin(), back.end());
-  return there == back;
-}
-
 }  // namespace remesher

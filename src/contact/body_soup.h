@@ -34,7 +34,4 @@ struct BodySoup {
 // corners at one place are left out.
 BodySoup bodiesOf(const TriangleMesh& mesh, std::span<const Index> pieces);
 
-// Whether the triangles run equally often along each edge in both directions.
-bool isBalanced(std::span<const std::array<Index, 3>> triangles);
-
 }  // namespace remesher

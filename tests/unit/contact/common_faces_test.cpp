@@ -4,8 +4,11 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "geometry/triangle.h"
 #include "support/touching_bodies.h"
@@ -36,6 +39,19 @@ double volumeOfBody(const BodyComplex& complex, Index body) {
   for (const auto& t : trianglesOf(complex, body))
     corners.insert(corners.end(), t.begin(), t.end());
   return shapes::volumeOf(complex.points, corners);
+}
+
+// Whether the triangles run equally often along each edge in both directions.
+bool isBalanced(const std::vector<std::array<Index, 3>>& triangles) {
+  std::vector<std::pair<Index, Index>> there, back;
+  for (const std::array<Index, 3>& t : triangles)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index a = t[k], b = t[(k + 1) % 3];
+      (a < b ? there : back).emplace_back(std::min(a, b), std::max(a, b));
+    }
+  std::sort(there.begin(), there.end());
+  std::sort(back.begin(), back.end());
+  return there == back;
 }
 
 void checkBodies(const BodyComplex& complex, const TriangleMesh& given) {
