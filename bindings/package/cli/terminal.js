@@ -60,12 +60,12 @@ export function exitStatusOf(error) {
   return ourFault.has(knownError(error).code) ? 1 : 2;
 }
 
-/** Ignores errors of streams that have failed already: whoever wrote was told. */
+/** Ignores errors of streams that have failed already: the writer has got the error. */
 export function outliveClosedPipes() {
   for (const stream of [process.stdout, process.stderr]) stream.on('error', () => {});
 }
 
-/** The same for programs. @param {unknown} error */
+/** The error as an object, for `--json`. @param {unknown} error */
 export function failureFrom(error) {
   const { code, message, hint } = knownError(error);
   return { code, message, hint };

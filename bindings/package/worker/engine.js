@@ -114,14 +114,14 @@ async function allOf(name, blob) {
   }
 }
 
-/** Told how far the run is, it says whether the run goes on.
+/** Called with the progress of a run; returns false to cancel it.
  * @typedef {((phase: string, fraction: number) => boolean) | undefined} Ask */
 
-/** Told which share of a file is read, it says whether reading goes on.
+/** Called with the fraction of a file that has been read; returns false to cancel.
  * @typedef {(share: number) => boolean} OnRead */
 
 /** The share of a run's time that reading its file takes: src/jobs/run_guards.h has the same
- * numbers. A conversion tells of nothing else.
+ * numbers. A conversion has no other progress.
  * @type {Partial<Record<Job['kind'], number>>} */
 const readShares = { inspectFile: 0.2, convertFile: 1 };
 const usualReadShare = 0.05;
