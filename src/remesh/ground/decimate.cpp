@@ -20,7 +20,7 @@ constexpr double kStep = 1.2;  // from pass to pass; this removes a third of the
 constexpr int kLargestValence = 9;
 // When fewer vertices than this share have gone, the next pass notes where others go, and the one
 // after it looks only there.
-constexpr double kFew = 1.0 / 12;
+constexpr double kFewGone = 1.0 / 12;
 
 class Decimation {
  public:
@@ -40,7 +40,7 @@ class Decimation {
     while (gone > 0) {
       ++number_;
       isNoted_ = isNoting_;
-      isNoting_ = isNoting_ || double(gone) < kFew * double(mesh_.vertexCount());
+      isNoting_ = isNoting_ || double(gone) < kFewGone * double(mesh_.vertexCount());
       gone = pass();
     }
   }
