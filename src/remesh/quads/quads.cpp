@@ -40,6 +40,12 @@ constexpr std::size_t kMostForPart = 12;
 // after it make up for it.
 constexpr double kFreeOfPart = 0.25;
 
+// So few vertices are finished at each number that is tried, and taken by their distance: maps of
+// neighbouring numbers may be quite different. In sides: nearer quads are near, those farther away
+// have lost a part of the shape.
+constexpr std::size_t kFewToFinish = 512;
+constexpr double kNearQuads = 0.3, kLostQuads = 0.6;
+
 // The share of a part in the vertices, by area or, where triangles are graded, by their number.
 struct PartShare {
   std::size_t part;  // of the first mesh's
@@ -215,21 +221,20 @@ class QuadMaking {
       // A part without a map at one share has none at others. The whole may, where its half has
       // none.
       const bool isLast = best && share == above && goal_.isExact;
-      const bool isMet = best && missedBy(*best) <= (goal_.isExact ? 0 : kCountTolerance);
+      const bool isMet = best && missedBy(*best) <= (goal_.isExact ? 0 : kCountTolerance) &&
+                         best->away < kLostQuads;
       if (isMet && (isLast || !best->paired.empty() || best->collapsed == 0)) break;
       if (best && !best->paired.empty() &&
           (share == above || (isHalf && best->paired.size() == best->parts)))
         break;
       MadeQuads one = made(share);
+      if (isFew()) {
+        finish(one);
+        one.away = QuadDistance(bases_.first()).sidesAway(one.mesh, kNearQuads);
+      }
       if (!best || lackOf(one) < lackOf(*best)) best = std::move(one);
     }
-    if (goal_.isForced && partFromImages(best->mesh, goal_.mirrors, bases_.first()) > 0)
-      settle(best->mesh, bases_.first());
-    if (!goal_.isGraded) keepCurveLengths(best->mesh, bases_.first());
-    if (!goal_.isDraft) {
-      reachTips(best->mesh, bases_.first(), kSmoothingSweeps);
-      fair(best->mesh, bases_.first());
-    }
+    if (!isFew()) finish(*best);
     return std::move(*best);
   }
 
@@ -246,19 +251,32 @@ class QuadMaking {
     return std::max(std::size_t(double(dense) * (goal.isDraft ? 0.5 : kOfQuads)), least);
   }
 
+  bool isFew() const { return goal_.vertices <= kFewToFinish; }
+
+  void finish(MadeQuads& made) {
+    if (goal_.isForced && partFromImages(made.mesh, goal_.mirrors, bases_.first()) > 0)
+      settle(made.mesh, bases_.first());
+    if (!goal_.isGraded) keepCurveLengths(made.mesh, bases_.first());
+    if (goal_.isDraft) return;
+    reachTips(made.mesh, bases_.first(), kSmoothingSweeps);
+    fair(made.mesh, bases_.first());
+  }
+
   // The share by which the number is missed.
   double missedBy(const MadeQuads& made) const {
     const auto count = double(wholeCount(made.mesh, goal_.mirrors));
     return std::abs(count / double(goal_.vertices) - 1);
   }
 
-  // A number that is too far off is worse than any pairs, these than any number of quads taken out,
-  // and these than a number that is nearly met.
-  std::array<double, 4> lackOf(const MadeQuads& made) const {
+  // A number that is too far off is worse than any pairs, these than a lost part of the shape, this
+  // than any number of quads taken out, these than a number that is nearly met, and this than a
+  // distance.
+  std::array<double, 6> lackOf(const MadeQuads& made) const {
     const double missed = missedBy(made);
     const bool isFar = missed > (goal_.isExact ? 0 : kFreeTolerance);
-    return {double(isFar), double(made.paired.size()), double(made.collapsed),
-            std::max(missed, kCountTolerance)};
+    return {
+        double(isFar),          double(made.paired.size()),        std::max(made.away, kLostQuads),
+        double(made.collapsed), std::max(missed, kCountTolerance), made.away};
   }
 
   // Parts that get too few vertices for a map, and those that have none, come first: how many

@@ -29,23 +29,24 @@ std::array<Index, 3> QuadTree::corners(Index triangle) const {
 QuadDistance::QuadDistance(const WorkingMesh& mesh)
     : mesh_(mesh), tree_(mesh.mesh(), mesh.positions()) {}
 
-double QuadDistance::sidesAway(const QuadMesh& quads) const {
+double QuadDistance::sidesAway(const QuadMesh& quads, double least) const {
   double twiceArea = 0;
   for (const auto& [a, b, c, d] : quads.quads)
     twiceArea +=
         (quads.position(c) - quads.position(a)).cross(quads.position(d) - quads.position(b)).norm();
   if (!(twiceArea > 0)) return 0;
   const double side = std::sqrt(twiceArea / 2 / double(quads.quads.size()));
+  const double enough = least * side;
   const QuadTree tree(quads);
   DistanceSampler ofMesh(*tree), ofQuads(tree_.triangles());
-  for (const Vec3& p : mesh_.positions().values()) ofMesh.addBeyond(side, p);
+  for (const Vec3& p : mesh_.positions().values()) ofMesh.addBeyond(enough, p);
   for (std::size_t q = 0; q < quads.quads.size(); q += 1 + quads.quads.size() / kSomeQuads) {
     const auto& [a, b, c, d] = quads.quads[q];
     const Vec3 sum = quads.position(a) + quads.position(b) + quads.position(c) + quads.position(d);
-    ofQuads.addBeyond(side, sum / 4);
+    ofQuads.addBeyond(enough, sum / 4);
   }
   const double farthest = std::max(ofMesh.farthest(), ofQuads.farthest());
-  return farthest < side ? 0 : farthest / side;
+  return farthest < enough ? 0 : farthest / side;
 }
 
 }  // namespace remesher

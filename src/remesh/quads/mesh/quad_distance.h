@@ -33,8 +33,8 @@ class QuadDistance {
   explicit QuadDistance(const WorkingMesh& mesh);
 
   // The largest distance of the mesh's vertices from the quads, and of the middles of some quads
-  // from the mesh, in sides of quads; 0 if all are nearer than a side.
-  double sidesAway(const QuadMesh& quads) const;
+  // from the mesh, in sides of quads; 0 if all are nearer than `least` sides.
+  double sidesAway(const QuadMesh& quads, double least = 1) const;
 
  private:
   const WorkingMesh& mesh_;

@@ -284,6 +284,18 @@ TEST_CASE("quads: few quads are made of few triangles") {
   }
 }
 
+TEST_CASE("quads: few vertices lose no tip that those of neighbouring numbers have") {
+  TriangleMesh cone = shapes::cone(17);
+  for (Vec3& p : cone.positions) p.z() *= 1.5;
+  RemeshOptions options;
+  options.quads = true;
+  options.vertices = 35;
+  const RemeshOutcome made = remeshSurface(cone, options, {});
+  double highest = 0;
+  for (const Vec3& p : made.mesh.positions) highest = std::max(highest, p.z());
+  CHECK(highest > 2.8);
+}
+
 TEST_CASE("quads: tiny parts beside a body take no quads out of it") {
   TriangleMesh mesh = shapes::icosphere(8);
   for (Vec3& p : mesh.positions) p = 2 * p.cwiseProduct(Vec3(1, 1.4, 0.8));
