@@ -380,6 +380,7 @@ set(small
   src/repair/solid/solid.cpp
   src/repair/solid/thin_walls.cpp
   src/repair/stitch.cpp
+  src/repair/touching_faces.cpp
   src/repair/united.cpp
   src/repair_file.cpp
   src/simplify/divide.cpp

@@ -245,6 +245,7 @@ add_executable(unit_tests
   tests/unit/repair/solid/solid_test.cpp
   tests/unit/repair/solid/thin_walls_test.cpp
   tests/unit/repair/stitch_test.cpp
+  tests/unit/repair/touching_faces_test.cpp
   tests/unit/simplify/boundary_places_test.cpp
   tests/unit/simplify/divide_test.cpp
   tests/unit/simplify/simplify_test.cpp
