@@ -39,6 +39,7 @@ SceneRun withinPixels(double, const Report&, const RunOfLevel&) { refuse("A leve
 
 RoundedMesh inSoundPrecisionOf(const TriangleMesh&, RemeshOutcome&) { refuse("Repair"); }
 bool isSound(const TriangleMesh&) { refuse("Repair"); }
+std::vector<Warning> warningsOfMeeting(const std::vector<io::Part>&) { refuse("Repair"); }
 
 SharedGuides sharedGuides(const std::vector<io::Part>&, const RemeshOptions&) { return {}; }
 

@@ -90,7 +90,7 @@ RemeshSceneResult remeshScene(std::vector<PlacedMesh> scene, const RemeshOptions
     return remeshLevels(conform.parts(), Held::Apart, chosen, stretch.part(mended, 1));
   });
   conform.finish(runs);
-  mending.note(runs.front());
+  mending.note(runs.front(), Held::Apart);
   if (thinned) thinned->note(runs);
   region.finish(runs);
   runs.front().report.warnings = joined(settled, runs.front().report.warnings);
@@ -165,7 +165,7 @@ RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
       all = region.within(
           [&] { return remeshLevels(conform.parts(), heldIn(outputName), chosen, body); });
     conform.finish(all);
-    mending.note(all.front());
+    mending.note(all.front(), heldIn(outputName));
     thinned.note(all);
     region.finish(all);
     return all;

@@ -76,6 +76,18 @@ void recountCrossings(Report& report, const std::vector<io::Part>& result) {
     if (warning.code == "CROSSINGS_LEFT") warning.count = count;
 }
 
+// Those between parts of the result, in its warning. Such as remeshing makes have another one.
+void recountMeeting(Report& report, const std::vector<io::Part>& result) {
+  const auto ofMeeting = [](const Warning& warning) { return warning.code == "PARTS_MEET"; };
+  const auto said = std::find_if(report.warnings.begin(), report.warnings.end(), ofMeeting);
+  if (said == report.warnings.end()) return;
+  const std::vector<Warning> now = warningsOfMeeting(result);
+  if (now.empty())
+    report.warnings.erase(said);
+  else
+    *said = now.front();
+}
+
 // Angles are no concern of a repair.
 std::vector<Warning> damageIn(const Report& report, const std::vector<io::Part>& result) {
   std::vector<Warning> warnings = joined(worseThanGiven({report.input, *report.output}, result),
@@ -197,9 +209,11 @@ void Mending::note(Report& report) const {
   if (report.repair) report.repair->lost += dropped_->report.lost;
 }
 
-void Mending::note(SceneRun& run) const {
+void Mending::note(SceneRun& run, Held held) const {
   note(run.report);
-  if (repair_) recountCrossings(run.report, run.parts);
+  if (!repair_) return;
+  recountCrossings(run.report, asHeld(run.parts, held));
+  recountMeeting(run.report, run.parts);
 }
 
 RemeshOptions withPaint(RemeshOptions options, io::Model& model) {

@@ -40,8 +40,9 @@ class Mending {
 
   // Adds the repair to the report; the report's input is the given one, not the repaired one.
   void note(Report& report) const;
-  // The same for a remeshed result, whose self-intersections are those that the report has.
-  void note(SceneRun& run) const;
+  // The same for a remeshed result, whose self-intersections are those that the report has: of the
+  // surfaces that the file will hold.
+  void note(SceneRun& run, Held held) const;
 
   // Per part given whether it is gone.
   const std::vector<char>& isGone() const { return isGone_; }

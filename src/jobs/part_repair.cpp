@@ -90,24 +90,6 @@ std::vector<std::optional<double>> spacingsOf(const std::vector<io::Part>& parts
   return spacings;
 }
 
-// Each part is repaired by itself, so parts may still intersect each other.
-void warnOfMeeting(std::vector<PlacedWarning>& warnings, const std::vector<io::Part>& parts) {
-  io::Model bodies;
-  bodies.parts = parts;
-  io::makeBodies(bodies);
-  if (bodies.parts.size() < 2) return;
-  const TriangleMesh merged = io::mergeParts(bodies.parts);
-  const std::vector<Index> meeting = intersectionsOfGroups(merged);
-  if (meeting.empty()) return;
-  const Index corner = merged.indices[3 * std::size_t{meeting.front()}];
-  warnings.push_back(
-      {{"PARTS_MEET",
-        "Triangles of parts intersect those of other parts: each part was repaired by itself. "
-        "In an .stl file all become one surface.",
-        meeting.size()},
-       merged.positions[corner]});
-}
-
 bool isBefore(const Vec3& p, const Vec3& q) {
   return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
 }
@@ -199,9 +181,27 @@ PartsRepair repairParts(std::vector<io::Part> parts, const RemeshOptions& option
     for (std::size_t i = 0; i < parts.size(); ++i)
       restore(result.parts[i].mesh, parts[i].mesh, sources[i]);
   }
-  warnOfMeeting(warnings, result.parts);
-  result.warnings = inWords(std::move(warnings), result.parts);
+  result.warnings =
+      joined(inWords(std::move(warnings), result.parts), warningsOfMeeting(result.parts));
   return result;
+}
+
+std::vector<Warning> warningsOfMeeting(const std::vector<io::Part>& parts) {
+  io::Model bodies;
+  bodies.parts = parts;
+  io::makeBodies(bodies);
+  if (bodies.parts.size() < 2) return {};
+  const TriangleMesh merged = io::mergeParts(bodies.parts);
+  const std::vector<Index> meeting = intersectionsOfGroups(merged);
+  if (meeting.empty()) return {};
+  const Index corner = merged.indices[3 * std::size_t{meeting.front()}];
+  return inWords(
+      {{{"PARTS_MEET",
+         "Triangles of parts intersect those of other parts: each part was repaired by itself. "
+         "In an .stl file all become one surface.",
+         meeting.size()},
+        merged.positions[corner]}},
+      parts);
 }
 
 bool isSound(const TriangleMesh& mesh) {

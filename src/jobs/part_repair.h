@@ -24,6 +24,9 @@ struct PartsRepair {
 PartsRepair repairParts(std::vector<io::Part> parts, const RemeshOptions& options,
                         const Progress& progress);
 
+// PARTS_MEET, if triangles of parts intersect those of others: each part is repaired for itself.
+std::vector<Warning> warningsOfMeeting(const std::vector<io::Part>& parts);
+
 // Whether a surface is closed, a 2-manifold, passes through itself nowhere, and each triangle has
 // an area.
 bool isSound(const TriangleMesh& mesh);

@@ -52,6 +52,9 @@ test('meshes that cross where the format joins them are said to', async () => {
     const { laws, report } = await judged(scenes.halves(balls), output, { repair: 'auto' });
     assert.deepEqual(laws, [], output);
     if (output === 'obj') assert.ok(report.warnings.some(({ code }) => code === 'PARTS_MEET'));
+    const remeshed = await judged(scenes.uneven(shapes.box(3)), output,
+      { repair: 'auto', vertices: 98 });
+    assert.deepEqual(remeshed.laws, [], output);
   }
 });
 
