@@ -52,6 +52,7 @@ constexpr std::array kDiagnostics = {
     Diagnostic{"NAME_CONTRADICTS", Severity::Note},
     Diagnostic{"NEEDS_THINNING", Severity::Note},
     Diagnostic{"NON_FINITE_ATTRIBUTE", Severity::Loss},
+    Diagnostic{"NON_MANIFOLD_EDGES_LEFT", Severity::Note},
     Diagnostic{"NON_MANIFOLD_EDGES_MADE", Severity::Fault},
     Diagnostic{"NON_MANIFOLD_EDGES_SPLIT", Severity::Note},
     Diagnostic{"NON_MANIFOLD_VERTICES_SPLIT", Severity::Note},

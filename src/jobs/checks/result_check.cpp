@@ -173,6 +173,16 @@ std::vector<Warning> worseThanGiven(const BeforeAndAfter& reports,
   return warnings;
 }
 
+std::vector<Warning> edgesLeft(const BeforeAndAfter& reports, const std::vector<io::Part>& result) {
+  const auto& [before, after] = reports;
+  if (after.nonManifoldEdges == 0 || more(after.nonManifoldEdges, before.nonManifoldEdges) > 0)
+    return {};
+  return {withFirstEdge({"NON_MANIFOLD_EDGES_LEFT",
+                         "Bodies touch along edges of more than two triangles, which were left",
+                         after.nonManifoldEdges},
+                        result, [](std::size_t triangles) { return triangles > 2; })};
+}
+
 std::vector<Warning> lostToRounding(const Report& report, const std::vector<io::Part>& result) {
   const MeshReport& after = report.output ? *report.output : report.input;
   const std::size_t flat = more(after.degenerateTriangles, report.input.degenerateTriangles);

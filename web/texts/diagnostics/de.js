@@ -108,6 +108,8 @@ export default {
     + 'Punkte wird es zuerst ausgedünnt.',
   'warning.NON_FINITE_ATTRIBUTE': 'Unendliche Werte und solche, die keine Zahlen sind, gelten '
     + 'als 0.',
+  'warning.NON_MANIFOLD_EDGES_LEFT': 'Körper berühren sich an Kanten von mehr als zwei Dreiecken, '
+    + 'die so geblieben sind.',
   'warning.NON_MANIFOLD_EDGES_MADE': 'Teile, die aufeinander liegen, teilen sich Kanten des '
     + 'Ergebnisses.',
   'warning.NON_MANIFOLD_EDGES_SPLIT': 'Kanten mit mehr als zwei Dreiecken wurden zertrennt.',

@@ -109,6 +109,8 @@ export default {
     + 'sommets, il est d’abord éclairci.',
   'warning.NON_FINITE_ATTRIBUTE': 'Les valeurs infinies ou qui ne sont pas des nombres comptent '
     + 'pour 0.',
+  'warning.NON_MANIFOLD_EDGES_LEFT': 'Des corps se touchent le long d’arêtes de plus de deux '
+    + 'triangles, qui sont restées telles quelles.',
   'warning.NON_MANIFOLD_EDGES_MADE': 'Des parties posées l’une sur l’autre partagent des arêtes du '
     + 'résultat.',
   'warning.NON_MANIFOLD_EDGES_SPLIT': 'Des arêtes de plus de deux triangles ont été séparées.',

@@ -62,6 +62,22 @@ TEST_CASE("result check: new holes, joined sheets and lines are counted") {
         "DEGENERATE_TRIANGLES_MADE 1;NON_MANIFOLD_EDGES_MADE 3;SURFACE_OPENED 4;");
 }
 
+TEST_CASE("result check: edges of three triangles that were left are said, those made are not") {
+  TriangleMesh fan;
+  fan.positions = {{0, 0, 0}, {2, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}};
+  fan.indices = {0, 1, 2, 0, 1, 3, 0, 1, 4};
+  const auto left = [&](std::size_t before, std::size_t after) {
+    MeshReport given, result;
+    given.nonManifoldEdges = before, result.nonManifoldEdges = after;
+    return edgesLeft({given, result}, {io::Part{"", fan, {}}});
+  };
+  CHECK(left(3, 0).empty());
+  CHECK(left(0, 1).empty());
+  REQUIRE(left(3, 1).size() == 1);
+  CHECK(left(3, 1).front().count == 1);
+  CHECK(left(3, 1).front().at == Vec3(1, 0, 0));
+}
+
 TEST_CASE("result check: each says where") {
   const auto found = [](const MeshReport& after, const TriangleMesh& mesh) {
     return worseThanGiven({MeshReport{}, after}, {io::Part{"", mesh, {}}}).front();
