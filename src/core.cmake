@@ -46,6 +46,7 @@ set(linear
   src/geometry/ray_crossings.cpp
   src/geometry/triangle_grid.cpp
   src/geometry/triangle_meeting.cpp
+  src/io/text/text_blocks.cpp
   src/io/text/text_scanner.cpp
   src/measure/hausdorff.cpp
   src/measure/self_intersections.cpp

@@ -17,7 +17,8 @@ struct Content {
 // Empty for a file that could be of several formats, such as an OFF without its first word.
 Content contentOf(const File& file);
 
-// What a file with a source is, if it is of a format that is read in blocks: binary PLY or STL.
+// What a file with a source is, if it is of a format that is read in blocks: binary PLY and
+// STL, OBJ.
 Content contentInBlocks(const File& file);
 
 }  // namespace remesher::io

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Files that are read in blocks, never whole: binary PLY and STL, also from streams, pipes and .gz;
-// texts, of which JavaScript holds only the beginning. Read whole, they give the same bytes.
+// texts (an OBJ in blocks, too), of which JavaScript holds only the beginning. Read whole, they give the same bytes.
 import assert from 'node:assert/strict';
 import { execFileSync, spawnSync } from 'node:child_process';
 import {
@@ -237,7 +237,8 @@ test('only what nothing but the core looks into is read in blocks', () => {
   const begins = (/** @type {Uint8Array} */ bytes, size = bytes.length) =>
     isReadInBlocks(Uint8Array.from(bytes.subarray(0, 65536)), size);
   const { 'torus.ply': ply, 'torus.stl': facets } = files;
-  assert.ok(begins(ply) && begins(facets));
+  assert.ok(begins(ply) && begins(facets) && begins(texts['torus.obj']));
+  assert.ok(!begins(texts['torus.off']));
   assert.ok(!begins(facets, facets.length + 1), 'no length of an STL');
   const text = Buffer.from(ply.toString('latin1').replace('binary_little_endian', 'ascii'),
     'latin1');

@@ -28,11 +28,12 @@ export function isLeftToCore(begin) {
   return !isZip && !isGzip && !isGltf(begin);
 }
 
-/** Whether the core reads a file in blocks, without ever holding all of it: a binary STL, as long
- * as its number of facets says, or a binary PLY.
+/** Whether the core reads a file in blocks, without ever holding all of it: an OBJ, a binary STL, as
+ * long as its number of facets says, or a binary PLY.
  * @param {Uint8Array} begin @param {number} size */
 export function isReadInBlocks(begin, size) {
-  if (begin.length <= 84 || isGltf(begin) || isObj(begin)) return false;
+  if (isObj(begin)) return true;
+  if (begin.length <= 84 || isGltf(begin)) return false;
   const facets = new DataView(begin.buffer, begin.byteOffset).getUint32(80, true);
   if (size === 84 + 50 * facets) return true;
   return /^ply\n(?:[^]*?\n)?format[ \t]+binary_[^]*?\nend_header\n/.test(

@@ -79,7 +79,7 @@ File whole(const File& file) {
                 legible(file.name) + " has " + std::to_string(size) +
                     " bytes; files of its format are read whole, up to " + std::to_string(kMost) +
                     " bytes.",
-                "Binary PLY and STL are read in blocks: convert it, or give it in parts.");
+                "OBJ and binary PLY and STL are read in blocks: convert it, or give it in parts.");
   return beginOf(file, static_cast<std::size_t>(size));
 }
 

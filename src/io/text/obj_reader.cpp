@@ -17,6 +17,7 @@
 #include "io/model/wedges.h"
 #include "io/text/mtl.h"
 #include "io/text/obj.h"
+#include "io/text/text_blocks.h"
 #include "io/text/text_scanner.h"
 
 namespace remesher::io {
@@ -32,12 +33,43 @@ struct Corner {
 };
 using CornerField = Index Corner::*;
 
+// Corners of many faces, most of which have neither texture coordinates nor normals.
+class CornerList {
+ public:
+  std::size_t size() const { return positions_.size(); }
+  // Whether each corner has a position alone.
+  bool arePositions() const { return texcoords_.empty() && normals_.empty(); }
+
+  Corner operator[](std::size_t i) const {
+    return {positions_[i], texcoords_.empty() ? kNone : texcoords_[i],
+            normals_.empty() ? kNone : normals_[i]};
+  }
+
+  void add(const Corner& corner) {
+    addTo(texcoords_, corner.texcoord);
+    addTo(normals_, corner.normal);
+    positions_.push_back(corner.position);
+  }
+
+  std::vector<Index> takePositions() { return std::move(positions_); }
+
+ private:
+  // Lists begin with the first number in them.
+  void addTo(std::vector<Index>& list, Index number) {
+    if (list.empty() && number == kNone) return;
+    list.resize(positions_.size(), kNone);
+    list.push_back(number);
+  }
+
+  std::vector<Index> positions_, texcoords_, normals_;
+};
+
 struct ObjContent {
   std::vector<Vec3> positions;
   std::vector<float> colors;     // 3 per position; fewer if the last positions have none
   std::vector<float> texcoords;  // 2 each
   std::vector<float> normals;    // 3 each
-  std::vector<Corner> corners;   // 3 per triangle
+  CornerList corners;            // 3 per triangle
   std::vector<Index> groups;     // 1 per triangle
   std::size_t skippedElements = 0;
   bool haveAllFour = true;  // corners, the faces so far
@@ -45,8 +77,10 @@ struct ObjContent {
 
 class ObjReader {
  public:
-  ObjReader(std::string_view text, const std::string& name)
-      : scanner_(text, name), source_(std::make_shared<ObjSource>()) {}
+  explicit ObjReader(const File& file)
+      : blocks_(file),
+        scanner_(blocks_.next(), file.name),
+        source_(std::make_shared<ObjSource>()) {}
 
   ObjContent read();
   std::shared_ptr<ObjSource> source() { return source_; }
@@ -61,6 +95,7 @@ class ObjReader {
   Index resolve(std::string_view& word, std::size_t listed, std::string_view what);
   Index groupOf(const Corner& corner);
 
+  TextBlocks blocks_;
   TextScanner scanner_;
   std::shared_ptr<ObjSource> source_;
   ObjContent content_;
@@ -160,7 +195,7 @@ void ObjReader::readFace() {
   content_.haveAllFour &= polygon_.size() == 4;
   const Index group = groupOf(polygon_[0]);
   if (polygon_.size() == 3) {
-    content_.corners.insert(content_.corners.end(), polygon_.begin(), polygon_.end());
+    for (const Corner& corner : polygon_) content_.corners.add(corner);
     content_.groups.push_back(group);
     return;
   }
@@ -168,7 +203,7 @@ void ObjReader::readFace() {
   for (const Corner& corner : polygon_)
     polygonPoints_.push_back(content_.positions[corner.position]);
   for (const auto& triangle : triangulate(polygonPoints_)) {
-    for (const Index i : triangle) content_.corners.push_back(polygon_[i]);
+    for (const Index i : triangle) content_.corners.add(polygon_[i]);
     content_.groups.push_back(group);
   }
 }
@@ -202,8 +237,13 @@ void ObjReader::readStatement(std::string_view keyword) {
 }
 
 ObjContent ObjReader::read() {
-  while (scanner_.nextLine())
-    if (!scanner_.atLineEnd()) readStatement(scanner_.word());
+  for (bool isMore = true; isMore;) {
+    while (scanner_.nextLine())
+      if (!scanner_.atLineEnd()) readStatement(scanner_.word());
+    const std::string_view text = blocks_.next();
+    scanner_.goOn(text);
+    isMore = !text.empty();
+  }
   return std::move(content_);
 }
 
@@ -216,8 +256,10 @@ Wedges distinctCorners(const ObjContent& content) {
   WedgeChains<Corner> chains(content.positions.size());
   std::vector<Index> ofCorner;
   ofCorner.reserve(content.corners.size());
-  for (const Corner& corner : content.corners)
+  for (std::size_t i = 0; i < content.corners.size(); ++i) {
+    const Corner corner = content.corners[i];
     ofCorner.push_back(chains.wedgeAt(corner.position, corner));
+  }
 
   // Renumbered in the order of positions; a position without a face gets a vertex, too.
   Wedges wedges;
@@ -254,12 +296,27 @@ Attribute gathered(const ListedValues& list, const Wedges& wedges) {
   return attribute;
 }
 
-TriangleMesh meshOf(ObjContent content, const std::vector<ObjGroup>& groups) {
-  const Wedges wedges = distinctCorners(content);
+// Per position; none if the file has none.
+std::vector<float> takeColors(ObjContent& content) {
+  if (content.colors.empty()) return {};
+  content.colors.resize(3 * content.positions.size(), kUncolored);
+  return fractionsOf(std::move(content.colors));
+}
+
+// Vertices are positions: of the many numbers of a scan none is held twice.
+TriangleMesh meshOfPositions(ObjContent content) {
   TriangleMesh mesh;
-  mesh.indices = wedges.ofCorner;
-  mesh.isQuads = content.haveAllFour && arePairs(mesh);
-  mesh.groups = std::move(content.groups);
+  mesh.indices = content.corners.takePositions();
+  std::vector<float> colors = takeColors(content);
+  if (!colors.empty()) mesh.attributes.push_back({"COLOR_0", 3, std::move(colors)});
+  mesh.positions = std::move(content.positions);
+  return mesh;
+}
+
+TriangleMesh meshOfWedges(ObjContent content, const std::vector<ObjGroup>& groups) {
+  Wedges wedges = distinctCorners(content);
+  TriangleMesh mesh;
+  mesh.indices = std::move(wedges.ofCorner);
   mesh.positions.reserve(wedges.corners.size());
   for (const Corner& corner : wedges.corners)
     mesh.positions.push_back(content.positions[corner.position]);
@@ -273,11 +330,19 @@ TriangleMesh meshOf(ObjContent content, const std::vector<ObjGroup>& groups) {
   if (anyGroup(&ObjGroup::hasTexcoords))
     mesh.attributes.push_back(
         gathered({"TEXCOORD_0", 2, content.texcoords, &Corner::texcoord}, wedges));
-  if (!content.colors.empty()) {
-    content.colors.resize(3 * content.positions.size(), kUncolored);
-    content.colors = fractionsOf(std::move(content.colors));
-    mesh.attributes.push_back(gathered({"COLOR_0", 3, content.colors, &Corner::position}, wedges));
-  }
+  const std::vector<float> colors = takeColors(content);
+  if (!colors.empty())
+    mesh.attributes.push_back(gathered({"COLOR_0", 3, colors, &Corner::position}, wedges));
+  return mesh;
+}
+
+TriangleMesh meshOf(ObjContent content, const std::vector<ObjGroup>& groups) {
+  std::vector<Index> numbers = std::move(content.groups);
+  const bool haveAllFour = content.haveAllFour;
+  TriangleMesh mesh = content.corners.arePositions() ? meshOfPositions(std::move(content))
+                                                     : meshOfWedges(std::move(content), groups);
+  mesh.groups = std::move(numbers);
+  mesh.isQuads = haveAllFour && arePairs(mesh);
   return mesh;
 }
 
@@ -331,7 +396,7 @@ void findLibraries(ObjSource& source, const std::vector<File>& resources,
 }  // namespace
 
 Model readObj(const File& file, const std::vector<File>& resources) {
-  ObjReader reader(asText(file), file.name);
+  ObjReader reader(file);
   ObjContent content = reader.read();
   const std::shared_ptr<ObjSource> source = reader.source();
 
@@ -343,7 +408,7 @@ Model readObj(const File& file, const std::vector<File>& resources) {
     model.warnings.push_back({"NOT_TRIANGLES",
                               "Points, lines and curves are not remeshed; the result lacks them.",
                               content.skippedElements});
-  if (content.corners.empty())
+  if (content.corners.size() == 0)
     throw Error(ErrorCode::NoTriangles, legible(file.name) + " has no faces.",
                 "Only surfaces can be remeshed, not points or lines.");
   TriangleMesh mesh = meshOf(std::move(content), source->groups);

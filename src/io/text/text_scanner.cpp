@@ -30,12 +30,19 @@ TextScanner::TextScanner(std::string_view text, std::string fileName)
   if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) at_ += kByteOrderMark.size();
 }
 
+void TextScanner::goOn(std::string_view text) {
+  at_ = text.data();
+  end_ = text.data() + text.size();
+  isBefore_ = true;
+}
+
 bool TextScanner::nextLine() {
-  if (line_ > 0) {
+  if (!isBefore_) {
     while (at_ < end_ && !isLineEnd(*at_)) ++at_;
     if (at_ < end_) at_ = afterLineEnd(at_, end_);
   }
   if (at_ == end_) return false;
+  isBefore_ = false;
   ++line_;
   return true;
 }

@@ -19,6 +19,9 @@ class TextScanner {
   // `text` must outlive the scanner. `fileName` is for error messages.
   TextScanner(std::string_view text, std::string fileName);
 
+  // Goes on with the text that follows, which begins a line.
+  void goOn(std::string_view text);
+
   // Enters the next line; false at the end of the text. The first call enters the first line.
   bool nextLine();
 
@@ -62,6 +65,7 @@ class TextScanner {
   std::string fileName_;
   const char* at_;
   const char* end_;
+  bool isBefore_ = true;  // whether no line of this text was entered yet
   std::size_t line_ = 0;
   std::size_t notFinite_ = 0;       // values of attributes
   std::size_t firstNotFinite_ = 0;  // its line

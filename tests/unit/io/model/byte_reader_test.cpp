@@ -14,32 +14,6 @@ using namespace remesher::test;
 
 namespace {
 
-// A file outside of memory, which may have become shorter since its size was asked for.
-class TestSource : public ByteSource {
- public:
-  TestSource(std::string bytes, std::size_t block) : bytes_(std::move(bytes)), block_(block) {}
-
-  std::uint64_t size() const override { return bytes_.size(); }
-  std::size_t blockBytes() const override { return block_; }
-  bool read(std::uint64_t at, std::span<std::uint8_t> into) const override {
-    if (at + into.size() > end) return false;
-    std::copy_n(bytes_.begin() + std::ptrdiff_t(at), into.size(), into.begin());
-    most = std::max(most, into.size());
-    return true;
-  }
-
-  std::size_t end = std::string::npos;  // what is behind this is gone
-  mutable std::size_t most = 0;         // bytes read at once
-
- private:
-  std::string bytes_;
-  std::size_t block_;
-};
-
-File outside(const std::string& name, const std::string& bytes, std::size_t block) {
-  return {name, {}, std::make_shared<TestSource>(bytes, block)};
-}
-
 template <class Number>
 void put(std::string& bytes, Number value) {
   std::string raw(sizeof value, '\0');
@@ -92,6 +66,13 @@ const std::string kText =
     "property float z\nelement face 1\nproperty list uchar int vertex_index\nend_header\n"
     "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
 
+// Two ends of lines, lines that go on, a comment that does not, and corners of two kinds.
+const std::string kObj =
+    "# by hand \\\nv 0 0 0\r\nv 1 \\\n0 0\nv 1 1 0\nv 0 1 \\\r\n0\nvt 0 0\nvt 1 0\nvt 1 1\n"
+    "usemtl one\nf 1/1 2/2 3/3\nusemtl two\nf 1 3 4";
+
+const std::string kPlainObj = "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0\nv 1 1 0\nf 1 2 4 3\n";
+
 const std::string kOff = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
 
 void checkSame(const File& outside, const File& inside) {
@@ -126,7 +107,7 @@ TEST_CASE("byte reader: a file is read the same from blocks of any size") {
       const std::string bytes = binaryStl(header);
       checkSame(outside("a.stl", bytes, block), textFile("a.stl", bytes));
     }
-    for (const std::string& text : {kText, kOff})
+    for (const std::string& text : {kText, kOff, kObj, kObj + "\n", kPlainObj})
       checkSame(outside("a", text, block), textFile("a", text));
   }
 }
@@ -142,13 +123,20 @@ TEST_CASE("byte reader: of a file in blocks no more is in memory at once") {
   const auto source = std::make_shared<TestSource>(bytes, 1000);
   CHECK(io::read({"a.stl", {}, source}).parts[0].mesh.triangleCount() == count);
   CHECK(source->most == 65536);
+
+  std::string text = kPlainObj;
+  while (text.size() < 100'000) text += "f 1 2 3 # and again\n";
+  const auto lines = std::make_shared<TestSource>(text, 1000);
+  CHECK(io::read({"a.obj", {}, lines}).parts[0].mesh.triangleCount() > 4000);
+  CHECK(lines->most == 65536);
 }
 
 TEST_CASE("byte reader: a file in blocks is refused in the words of any other") {
   std::string stl = binaryStl("short");
   for (const std::string& bytes :
        {std::string(), stl.substr(0, 150), stl + "x", binaryPly(true, false).substr(0, 300),
-        binaryPly(false, false).substr(0, 100), kText.substr(0, 90)}) {
+        binaryPly(false, false).substr(0, 100), kText.substr(0, 90), kObj.substr(0, 40),
+        kObj + " 9", kPlainObj + "f 1 2 3\n\nf 1 \\\n2 x\n"}) {
     const std::string told = failureOf([&] { io::read(outside("a.ply", bytes, 11)); });
     CHECK(told == readingFails(textFile("a.ply", bytes)));
   }
