@@ -44,6 +44,8 @@ constexpr double kNeedlesMean = 30, kNeedlesLeast = 5;
 // Edges of unrolled facets may be farther away by this factor, because vertices move to the other
 // side. By how much wider, in degrees on average, angles must be that are not well shaped either.
 constexpr std::array<double, 4> kUnrolled = {0.8, 1.2, kInsteadOfPoor, kInsteadOfNeedles};
+// Where the facets' own angles are hardly less than good, much less may do.
+constexpr double kHardlyUnrolled = 0.2;
 constexpr double kChord = 1.25, kMuchWider = 10;
 constexpr double kMostOfVolume = 1e-3, kMostOfEdges = 0.98, kNearEdge = 3;
 // By how much less, in degrees on average, the angles of a mesh of facets may be: its shape is
@@ -273,26 +275,35 @@ std::optional<Followed>& ShapeComparison::conforming() {
 // Facets too narrow for well-shaped triangles are unrolled: the less the triangles may be away from
 // the original by then, the better. If none are well shaped, much wider angles do.
 void ShapeComparison::unrollFacets() {
-  const BuiltMesh& built = original_.surface().built();
   const AngleQuality facets = qualityOf(conforming_->mesh);
   const double most = facets.hasNeedles() ? kInsteadOfNeedles : kInsteadOfPoor;
-  const double unseen = kSeen * spreadOf(built);
+  const double worthwhile = std::min(kGoodIsotropic, facets.mean + kMuchWider);
+  // Narrow angles between lines are the part's own.
+  const double least = std::min(kGoodLeast, facets.least);
   for (const double farthest : kUnrolled) {
     if (farthest > most) return;
-    const double depth = kChord * farthest * unseen;
-    std::optional<Followed> made = conformed(built, input_, original_.places(), textures_, depth);
-    if (!made || made->away.farthest > 2 * depth) continue;
-    const AngleQuality quality = qualityOf(made->mesh);
-    // Narrow angles between lines are the part's own.
-    if (quality.least < std::min(kGoodLeast, facets.least)) continue;
-    const bool isGood = quality.mean >= kGoodIsotropic;
-    if (!isGood && quality.mean < facets.mean + kMuchWider) continue;
-    const BuiltMesh unrolled = buildMesh(made->mesh);
-    if (!keepsVolume({built.mesh, built.positions}, {unrolled.mesh, unrolled.positions})) continue;
-    conforming_ = std::move(made);
-    farthest_ = farthest;
-    if (isGood) return;
+    if (!takeUnrolled(farthest, {worthwhile, least})) continue;
+    if (qualityOf(conforming_->mesh).mean < kGoodIsotropic) continue;
+    const bool isNearlyGood = facets.mean >= kGoodIsotropic - kHardlyLess;
+    if (isNearlyGood) takeUnrolled(kHardlyUnrolled, {kGoodIsotropic, least});
+    return;
   }
+}
+
+// Returns whether facets unrolled so far are worth taking.
+bool ShapeComparison::takeUnrolled(double farthest, const WantedAngles& wanted) {
+  const BuiltMesh& built = original_.surface().built();
+  const double depth = kChord * farthest * (kSeen * spreadOf(built));
+  std::optional<Followed> made = conformed(built, input_, original_.places(), textures_, depth);
+  if (!made || made->away.farthest > 2 * depth) return false;
+  const AngleQuality quality = qualityOf(made->mesh);
+  if (quality.least < wanted.least || quality.mean < wanted.mean) return false;
+  const BuiltMesh unrolled = buildMesh(made->mesh);
+  if (!keepsVolume({built.mesh, built.positions}, {unrolled.mesh, unrolled.positions}))
+    return false;
+  conforming_ = std::move(made);
+  farthest_ = farthest;
+  return true;
 }
 
 // Whether there are vertices enough to ask for well-shaped triangles.

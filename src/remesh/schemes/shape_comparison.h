@@ -63,6 +63,10 @@ class ShapeComparison {
   bool hasEnough();
   bool hasForShape();
   void unrollFacets();
+  struct WantedAngles {
+    double mean, least;  // degrees
+  };
+  bool takeUnrolled(double farthest, const WantedAngles& wanted);
   bool isPart();
   bool isAllFacets() const;  // but for small round places
   // Whether a mesh of facets is worth making.

@@ -159,6 +159,20 @@ TEST_CASE("conformed: round parts get well-shaped triangles, and nearer ones wit
   }
 }
 
+TEST_CASE(
+    "conformed: facets whose own angles are nearly good hardly change when they are unrolled") {
+  std::vector<Vec2> outline = {{0, 0}, {10, 0}};
+  for (int k = 1; k < 8; ++k) outline.push_back(10 * shapes::onCircle(k, 32).head<2>());
+  outline.emplace_back(0, 10);
+  const TriangleMesh dome = turnedAbout(outline, 32);
+  for (const Index times : {4U, 5U}) {
+    CAPTURE(times);
+    const TriangleMesh made = remeshed(dome, times * 258, Prefer::Auto).mesh;
+    CHECK(inspectMesh(made).minAngle.mean > 45);
+    CHECK(error(dome, made) < 0.01);
+  }
+}
+
 TEST_CASE("conformed: with shape preferred a part has no needle at many vertices") {
   const TriangleMesh bar = shapes::filletedBar(6);
   const RemeshOutcome made = remeshed(bar, Index(12 * inspectMesh(bar).vertices), Prefer::Shape);
