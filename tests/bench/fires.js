@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Counts how often each fallback, each limit of work and each row of the chooser fires over a
-// folder of files: plain, quads, repaired, baked. Names that never fire are listed last: the code
-// behind them goes, unless a test needs it, which is named beside it.
+// folder of files: plain, quads, repaired, baked. Names that never fire are listed last, each with
+// a unit test that reaches it: the code behind a name without one goes, unless it guards against
+// loops without end.
 import { execFileSync } from 'node:child_process';
-import { readdirSync } from 'node:fs';
+import { existsSync, readdirSync } from 'node:fs';
 import { basename, dirname, extname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
@@ -13,26 +14,11 @@ import { markdownTable } from './table.js';
 
 const tool = join(dirname(fileURLToPath(import.meta.url)), '../../build/native/fires');
 
-/** A file that takes longer is left, with what was counted so far. */
+/** A file that takes longer is left, with what was counted so far; so are the unit tests. */
 const minutes = 5;
 
-/**
- * Tests that need what never fires over models and cases.
- * @type {Readonly<Record<string, string>>}
- */
-const neededBy = {
-  'accuracy samples: steps made longer':
-    'fewest vertices: a bound near nothing is kept along the edges of the input',
-  'exact repair: the union intersects itself':
-    'body_union: bodies whose union is not sound do not spoil the others',
-  'exact repair: united group by group':
-    'body_union: bodies whose union is not sound do not spoil the others',
-  'joints: sheets that coincide': 'joints: of two layers only the rim is',
-  'manifold cut: edge with too many triangles':
-    'manifold_cut: an edge of very many triangles is taken apart',
-  'only-repaired': 'part repair: what rounding makes meet itself becomes the sound original, and '
-    + 'says so',
-};
+/** The unit tests, where they are built: which of them reach what no model does. */
+const tests = join(dirname(fileURLToPath(import.meta.url)), '../../build/test/unit_tests');
 
 /** All names that can fire, as the sources have them. */
 function knownNames() {
@@ -48,16 +34,45 @@ const modelsIn = (folder) => readdirSync(folder, { recursive: true })
   .filter((path) => formats.some((format) => format === extname(path).slice(1).toLowerCase()))
   .sort();
 
-/** What a program that was stopped or failed has printed, too. @param {string} file */
-function printedFor(file) {
+/** Lines that a program prints, also if it is stopped or fails.
+ * @param {string} program @param {string} argument
+ * @returns {{ run: string, fired: Record<string, number> }[]} */
+function printedBy(program, argument) {
+  const lines = (/** @type {string} */ text) =>
+    text.split('\n').filter((line) => /^{.*}$/.test(line)).map((line) => JSON.parse(line));
   try {
-    return execFileSync(tool, [file],
-      { encoding: 'utf8', timeout: minutes * 60_000, stdio: 'pipe' });
+    return lines(execFileSync(program, [argument],
+      { encoding: 'utf8', timeout: minutes * 60_000, stdio: 'pipe', maxBuffer: 2 ** 26 }));
   } catch (error) {
     const { stdout, signal, status } = /** @type {any} */ (error);
-    console.error(`${basename(file)} ended early (${signal ?? status})`);
-    return String(stdout ?? '');
+    console.error(`${basename(argument)} ended early (${signal ?? status})`);
+    return lines(String(stdout ?? ''));
   }
+}
+
+/** By name the first unit test that reaches it, and how many do. */
+function reachedByTests() {
+  /** @type {Map<string, { test: string, count: number }>} */
+  const reached = new Map();
+  if (!existsSync(tests)) return reached;
+  for (const { run, fired } of printedBy(tests, '-r=fires')) {
+    for (const name of Object.keys(fired)) {
+      const { test, count } = reached.get(name) ?? { test: run, count: 0 };
+      reached.set(name, { test, count: count + 1 });
+    }
+  }
+  return reached;
+}
+
+/** @param {string[]} names that never fire on models */
+function printNever(names) {
+  const reached = names.length > 0 ? reachedByTests() : new Map();
+  for (const name of names) {
+    const { test, count } = reached.get(name) ?? {};
+    const needs = test ? `test "${test}"${count > 1 ? ` and ${count - 1} more` : ''}` : 'no test';
+    console.log(`  ${name} (${needs})`);
+  }
+  if (!existsSync(tests)) console.log('npm test builds the unit tests, which are asked, too.');
 }
 
 /** @param {string[]} folders */
@@ -68,8 +83,7 @@ export function runFires(folders) {
   const found = new Map();
   let runs = 0;
   for (const file of files) {
-    for (const line of printedFor(file).split('\n').filter(Boolean)) {
-      const { run, fired } = JSON.parse(line);
+    for (const { run, fired } of printedBy(tool, file)) {
       runs += 1;
       for (const [name, times] of Object.entries(fired)) {
         const sum = found.get(name)
@@ -90,5 +104,5 @@ export function runFires(folders) {
     })));
   const never = names.filter((name) => !found.has(name));
   console.log(`\n${never.length} of ${names.length} never fire${never.length ? ':' : '.'}`);
-  for (const name of never) console.log(`  ${name} (${neededBy[name] ?? 'no test is known'})`);
+  printNever(never);
 }

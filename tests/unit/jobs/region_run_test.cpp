@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 
 #include "base/place.h"
@@ -45,12 +46,17 @@ std::multiset<Coordinates> trianglesBut(const TriangleMesh& mesh,
   return all;
 }
 
-// An odd scale and place: coordinates that take all digits.
-TriangleMesh ball() {
+TriangleMesh unitBall() {
   TriangleMesh mesh = shapes::icosphere(8);
   const std::vector<Index> first = weld(mesh.positions);
   for (Index& i : mesh.indices) i = first[i];
   keepUsedVertices(mesh);
+  return mesh;
+}
+
+// An odd scale and place: coordinates that take all digits.
+TriangleMesh ball() {
+  TriangleMesh mesh = unitBall();
   for (Vec3& p : mesh.positions) p = 1.7 * p + Vec3(12.3, 0.1, 1e-3);
   return mesh;
 }
@@ -75,6 +81,20 @@ TEST_CASE("region: all other triangles stay bit for bit, and the surface stays c
     const auto made = trianglesBut(result.mesh, {});
     CHECK(std::includes(made.begin(), made.end(), kept.begin(), kept.end()));
   }
+}
+
+TEST_CASE("region: a border with noise around zero is closed again") {
+  TriangleMesh mesh = unitBall();
+  std::size_t noisy = 0;
+  for (Vec3& p : mesh.positions)
+    if (std::abs(p.z()) < 1e-9) p.z() = ++noisy % 2 == 0 ? 1e-19 : -1e-19;
+  REQUIRE(noisy > 0);
+  RemeshOptions options;
+  options.region = above(mesh, 0);
+  options.ratio = 1;
+  const RemeshResult result = remesh(mesh, options);
+  CHECK(result.mesh.positions.size() == mesh.positions.size());
+  CHECK(inspectMesh(result.mesh).boundaryEdges == 0);
 }
 
 TEST_CASE("region: with as many vertices as before the others keep their numbers") {
