@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <numbers>
-#include <queue>
 #include <utility>
 
 #include "base/fires.h"
+#include "base/versioned_queue.h"
 #include "geometry/triangle.h"
 
 namespace remesher {
@@ -117,7 +117,6 @@ class Ears {
     chords_.resize(n);
     for (Index i = 0; i < n; ++i) {
       next_.push_back((i + 1) % n), prev_.push_back((i + n - 1) % n);
-      versions_.push_back(0);
       const Halfedge h = loop.across[i];
       beyond_.push_back(built.positions[mesh_.opposite(h)]);
       filled_.push_back(angleAround(built, loop.vertices[i]));
@@ -127,25 +126,17 @@ class Ears {
 
   Polygon cut(std::size_t down) {
     std::size_t left = next_.size();
-    while (left > down && !queue_.empty()) {
-      const Ear ear = queue_.top();
-      queue_.pop();
-      if (ear.version != versions_[ear.vertex] || isEdge(ear.vertex)) continue;
-      take(ear.vertex);
+    while (left > down) {
+      const Index ear = queue_.pop();
+      if (ear == kNone) break;
+      if (isEdge(ear)) continue;
+      take(ear);
       --left;
     }
     return rest();
   }
 
  private:
-  struct Ear {
-    double cost;
-    Index vertex, version;
-    bool operator<(const Ear& other) const {  // the cheapest on top
-      return cost != other.cost ? cost > other.cost : vertex > other.vertex;
-    }
-  };
-
   static double angleAround(const BuiltMesh& built, Vertex v) {
     double sum = 0;
     built.mesh.forEachOutgoing(v, [&](Halfedge h) {
@@ -159,7 +150,7 @@ class Ears {
     constexpr double kReflexPenalty = 1e6;  // squared: longer than any convex ear's chord
     const double chord = (plug_.points[prev_[i]] - plug_.points[next_[i]]).squaredNorm();
     const bool isReflex = filled_[i] < std::numbers::pi;
-    queue_.push({chord * (isReflex ? kReflexPenalty : 1), i, ++versions_[i]});
+    queue_.push(i, -chord * (isReflex ? kReflexPenalty : 1));
   }
 
   // Whether the chord that would close the ear is an edge already.
@@ -178,7 +169,6 @@ class Ears {
     chords_[std::min(a, b)].push_back(std::max(a, b));
     beyond_[a] = plug_.points[i];
     next_[a] = b, prev_[b] = a;
-    ++versions_[i];
     alive_ = a;
     offer(a), offer(b);
   }
@@ -197,11 +187,11 @@ class Ears {
   const HalfedgeMesh& mesh_;
   const Loop& loop_;
   Plug& plug_;
-  std::vector<Index> next_, prev_, versions_;
+  std::vector<Index> next_, prev_;
   std::vector<Vec3> beyond_;  // of the edge that begins at each vertex
   std::vector<double> filled_;
   std::vector<std::vector<Index>> chords_;  // per vertex: to vertices of higher numbers
-  std::priority_queue<Ear> queue_;
+  VersionedQueue queue_;                    // vertices by the negative costs of their ears
   Index alive_ = 0;
 };
 
