@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <queue>
 #include <utility>
 #include <vector>
 
+#include "base/versioned_queue.h"
 #include "geometry/predicates.h"
 #include "remesh/conforming/facet_flips.h"
 
@@ -45,12 +45,10 @@ class FacetRefinement {
     flipFacets(mesh_, edgesOf(m_), DeepEdges::Left, [](Face) {});
     for (Index i = 0; i < m_.faceCapacity(); ++i)
       if (m_.isAlive(Face(i))) enter(Face(i));
-    while (count > 0 && !worst_.empty()) {
-      const auto [score, f, stamp] = worst_.top();
-      worst_.pop();
-      const Face face(kNone - f);
-      if (!m_.isAlive(face) || stamps_[face] != stamp) continue;
-      if (improve(face)) --count;
+    while (count > 0) {
+      const Index worst = worst_.pop();
+      if (worst == kNone) break;
+      if (m_.isAlive(Face(worst)) && improve(Face(worst))) --count;
     }
     return count == 0;
   }
@@ -86,9 +84,8 @@ class FacetRefinement {
   }
 
   void enter(Face f) {
-    if (stamps_.size() < m_.faceCapacity()) stamps_.resize(m_.faceCapacity(), 0);
     const double score = badness(f);
-    if (std::isfinite(score)) worst_.push({score, kNone - f.index, ++stamps_[f]});
+    if (std::isfinite(score)) worst_.push(f.index, score);
   }
 
   // Enters the triangles around a new vertex, after flips.
@@ -174,19 +171,9 @@ class FacetRefinement {
     return true;
   }
 
-  struct Entry {
-    double score;
-    Index order;  // of two alike, the triangle of the lower number comes first
-    Index stamp;
-    bool operator<(const Entry& other) const {
-      return std::pair(score, order) < std::pair(other.score, other.order);
-    }
-  };
-
   FacetedMesh& mesh_;
   const HalfedgeMesh& m_;
-  std::priority_queue<Entry> worst_;
-  FaceData<Index> stamps_;  // how often the triangle has been entered
+  VersionedQueue worst_;  // faces by badness
 };
 
 }  // namespace
