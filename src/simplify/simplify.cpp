@@ -178,6 +178,8 @@ class Simplification {
     const Vertex from = mesh_.origin(h), into = mesh_.tip(h);
     if (freedom_[from] != Freedom::Free && !isSeam(h)) return;
     if (freedom_[from] == Freedom::Fixed && !attributes_) return;
+    // Where a seam ends on a boundary: the boundary would lead across the surface.
+    if (mesh_.isBoundary(from) && !mesh_.isBoundary(h)) return;
     Quadric sum = quadrics_[from];
     sum.add(quadrics_[into]);
     Offer offered{sum.at(at(into)),        h, from, into, stamps_[from] + stamps_[into],

@@ -35,8 +35,8 @@ struct KeptAttributes {
 // boundary, along the boundary loop that was given first. Boundaries and seams are only shortened
 // along themselves; vertices where seams meet stay. With attributes no vertex moves, and collapses
 // that change attributes more come later [Hoppe 1999]; edges across which attributes jump must be
-// seams. Vertices where seams meet go too then, along a seam: corners of charts on neither side of
-// it keep their wedge, now at the place of another vertex.
+// seams. Vertices where seams meet go too then, along a seam, and those of a boundary along it:
+// corners of charts on neither side keep their wedge, now at the place of another vertex.
 void simplify(SimpleSurface& surface, std::size_t vertices, KeptAttributes* kept = nullptr);
 
 // The costs of the collapses that simplify() does until nothing more goes, none below the one
