@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "base/error.h"
@@ -31,14 +32,29 @@ bool isMended(const RemeshOptions& options) {
          options.dropFloaters || options.dropHidden;
 }
 
-// Whether no option needs the original itself.
-bool allowsThinning(const RemeshOptions& options) {
-  const bool isBound = options.maxError || options.lengths.maxError || options.fidelity ||
-                       options.projection == Projection::Current;
-  const bool isNumbered = !options.density.empty() || !options.featureEdges.empty() ||
-                          !options.region.empty() || wantsOfEach(options);
-  return options.scheme == Scheme::Best && !isBound && !isNumbered && !isMended(options) &&
-         !options.quads && !options.conform && options.textures != Textures::Bake;
+// The option that needs the original itself; empty if none does.
+std::string_view needingAll(const RemeshOptions& options) {
+  struct Need {
+    std::string_view name;
+    bool isGiven;
+  };
+  const Need needs[] = {
+      {"repair or what leaves triangles out", isMended(options)},
+      {"maxError", options.maxError || options.lengths.maxError},
+      {"fidelity", options.fidelity.has_value()},
+      {"projection", options.projection == Projection::Current},
+      {"density", !options.density.empty()},
+      {"featureEdges", !options.featureEdges.empty()},
+      {"region", !options.region.empty()},
+      {"minEdge, maxEdge or minAngle", wantsOfEach(options)},
+      {"quads", options.quads},
+      {"conform", options.conform},
+      {"baked textures", options.textures == Textures::Bake},
+      {"the scheme rounds", options.scheme != Scheme::Best},
+  };
+  for (const Need& need : needs)
+    if (need.isGiven) return need.name;
+  return {};
 }
 
 // The vertices asked for; of an edge length and of no number it is not known yet.
@@ -143,15 +159,21 @@ std::vector<Vec3> someOf(const TriangleMesh& mesh) {
   return some;
 }
 
-// asked: the vertices of the result if the parts are thinned out for it.
-void requireRoomToRemesh(const std::vector<io::Part>& parts, std::optional<double> asked,
+// What keeps the parts from being thinned out, and the vertices of the result if nothing does.
+struct Thinning {
+  std::string_view hindrance;
+  std::optional<double> asked;
+};
+
+void requireRoomToRemesh(const std::vector<io::Part>& parts, const Thinning& thinning,
                          const ThinningLimits& limits) {
+  const auto& [hindrance, asked] = thinning;
   const double most = asked ? trianglesLeft(*asked, limits) : kInfinity;
   const RoomNeeds needs = needsOf(parts, most);
   if (haveRoom(needs, limits.addresses)) return;
   const double fits = mostThinned(parts, limits);
-  const std::string way =
-      fits >= 1 ? thinnedFor(fits) + ", unless an option needs all of it (docs/sizes.md). " : "";
+  const std::string but = hindrance.empty() ? "" : ", but not with " + std::string(hindrance);
+  const std::string way = fits >= 1 ? thinnedFor(fits) + but + ". " : "";
   refuseSize(needs, way, limits.addresses);
 }
 
@@ -175,17 +197,20 @@ std::vector<Warning> roomWarnings(const std::vector<io::Part>& parts,
 
 ThinnedParts::ThinnedParts(std::vector<io::Part>& parts, const RemeshOptions& options,
                            const ThinningLimits& limits) {
-  const bool isAllowed = allowsThinning(options) && !(options.ratio && parts.size() > 1);
+  std::string_view hindrance = needingAll(options);
+  if (hindrance.empty() && options.ratio && parts.size() > 1)
+    hindrance = "a ratio of several meshes";
   double vertices = 0;
   for (const io::Part& part : parts) vertices += double(part.mesh.positions.size());
   std::optional<double> rough;
-  if (isAllowed) rough = askedVertices(options, vertices);
+  if (hindrance.empty()) rough = askedVertices(options, vertices);
   const auto isFineFor = [&](double asked) {
     return std::any_of(parts.begin(), parts.end(),
                        [&](const io::Part& part) { return isFine(part, asked, limits); });
   };
   const bool isFineEnough = rough && isFineFor(*rough);
-  if (!isMended(options)) requireRoomToRemesh(parts, isFineEnough ? rough : std::nullopt, limits);
+  if (!isMended(options))
+    requireRoomToRemesh(parts, {hindrance, isFineEnough ? rough : std::nullopt}, limits);
   if (isFineEnough) withinMemory([&] { thinOutFine(parts, options, limits); });
 }
 

@@ -114,7 +114,12 @@ TEST_CASE("thinned parts: what has no room is refused before the work, in number
   CHECK(told(vertices(105)).find("For up to 104 vertices") != std::string::npos);
   RemeshOptions bound = vertices(60);
   bound.maxError = 1;
-  CHECK(told(bound).find("unless an option needs all of it") != std::string::npos);
+  CHECK(
+      told(bound).find("For up to 104 vertices it is thinned out first, but not with maxError. ") !=
+      std::string::npos);
+  RemeshOptions quads = vertices(60);
+  quads.quads = true;
+  CHECK(told(quads).find("but not with quads. ") != std::string::npos);
   limits.addresses = 0.5e6;
   CHECK(told(vertices(4)).find(" | Give it in parts") != std::string::npos);
 }
