@@ -63,7 +63,9 @@ class AtlasPainting {
       const PaintSource& source = *sources_[input.originalOf[i]];
       places_.push_back(input.areGiven[i] ? input.places[i] : placesOn(mesh, source));
       surfaces_.emplace_back(mesh, places_.back(), source);
-      if (input.onto) surfaces_.back().takeNormals();
+      if (!input.onto) continue;
+      surfaces_.back().takeNormals();
+      surfaces_.back().joinFacings();
     }
   }
 
@@ -265,6 +267,8 @@ class AtlasPainting {
       for (Index k = 0; k < 3; ++k)
         surfaces_[atlas.triangles[i].part].setTexcoord(3 * atlas.triangles[i].triangle + k,
                                                        unwrapped.corners[3 * i + k], atlas.size);
+    // Both sides of a seam find the same places: none is cut off from the other.
+    if (input_.onto) return std::vector<char>(unwrapped.rims.size(), 0);
     return unwrapped.rims;
   }
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/place.h"
+#include "geometry/triangle.h"
 #include "textures/painting/corner_values.h"
 
 namespace remesher {
@@ -15,6 +16,10 @@ namespace remesher {
 namespace {
 
 Vec3 rounded(const Vec3& v) { return v.cast<float>().cast<double>(); }
+
+// The least cosine between the direction of a vertex and one side of a sharp edge there for which
+// the side's points can be looked for in that direction.
+constexpr double kStillFacing = 0.15;
 
 // The values by which copies of a vertex differ.
 using CopyKey = std::array<double, 10>;
@@ -33,6 +38,25 @@ std::vector<Index> drawingOrder(std::span<const InputPlace> places, std::size_t 
   std::stable_sort(order.begin(), order.end(),
                    [&](Index a, Index b) { return middles[a] < middles[b]; });
   return order;
+}
+
+// About the direction whose largest angle with any of these is least [Aubry & Löhner 2008].
+Vec3 mostNormal(std::span<const Vec3> normals) {
+  constexpr double kEnough = 0.5, kTurn = 0.3;
+  constexpr int kMostTurns = 32;
+  Vec3 sum = Vec3::Zero();
+  for (const Vec3& n : normals) sum += n;
+  Vec3 next = unitOr(sum, Vec3::Zero()), best = next;
+  double least = -kInfinity;
+  for (int i = 0; i < kMostTurns && least < kEnough && !normals.empty(); ++i) {
+    const Vec3& worst =
+        *std::min_element(normals.begin(), normals.end(),
+                          [&](const Vec3& a, const Vec3& b) { return a.dot(next) < b.dot(next); });
+    if (worst.dot(next) > least) best = next;
+    least = std::max(least, worst.dot(next));
+    next = unitOr(next + kTurn * worst, worst);
+  }
+  return best;
 }
 
 void append(Attribute& to, const Attribute& from, Index vertex) {
@@ -79,6 +103,19 @@ void NewSurface::takeNormals() {
     const float* const n = &own->values[3 * std::size_t{mesh_.indices[h]}];
     normals_[h].light = rounded(unitOr(Vec3(n[0], n[1], n[2]), normals_[h].light));
   }
+}
+
+void NewSurface::joinFacings() {
+  std::vector<std::vector<Vec3>> around(positions_.size());
+  for (Index h = 0; h < welded_.size(); ++h) {
+    const Index first = h - h % 3;
+    const Vec3 normal = unitNormal(position(first), position(first + 1), position(first + 2));
+    if (!normal.isZero()) around[welded_[h]].push_back(normal);
+  }
+  std::vector<Vec3> joined;
+  for (const std::vector<Vec3>& normals : around) joined.push_back(rounded(mostNormal(normals)));
+  for (Index h = 0; h < welded_.size(); ++h)
+    if (joined[welded_[h]].dot(facing(h)) > kStillFacing) normals_[h].shape = joined[welded_[h]];
 }
 
 TriangleMesh NewSurface::paintedInOrder() const {

@@ -46,6 +46,10 @@ class NewSurface {
   // Takes the mesh's own normals, if it has any, for light.
   void takeNormals();
 
+  // Gives all sides of the sharp edges at a vertex one direction to look in, so that they find one
+  // place on a surface that is not exactly there.
+  void joinFacings();
+
   // The mesh as it is, its vertices in their order, with normals, texture coordinates and, if any
   // were set, tangents. Copies of vertices whose corners differ follow behind all vertices.
   TriangleMesh paintedInOrder() const;

@@ -174,3 +174,43 @@ TEST_CASE("bake onto: symmetric meshes give symmetric maps") {
         CHECK(std::abs(at(row) - below) <= 1);
       }
 }
+
+// A right-angled roof over x from -1 to 1, its ridge along y at this height, each side with its own
+// vertices and flat normals; its colour is (x + 1) / 2, 0, 0.
+TriangleMesh roof(double ridge) {
+  TriangleMesh mesh;
+  Attribute colors{"COLOR_0", 3, {}}, normals{"NORMAL", 3, {}};
+  for (const double side : {-1.0, 1.0})
+    for (const Vec2& at : {Vec2(0, 0), Vec2(side, 0), Vec2(side, 1), Vec2(0, 1)}) {
+      const double x = at.x();
+      mesh.positions.emplace_back(x, at.y(), ridge - std::abs(x));
+      for (const double c : {(x + 1) / 2, 0.0, 0.0}) colors.values.push_back(float(c));
+      for (const double c : {side * std::sqrt(0.5), 0.0, std::sqrt(0.5)})
+        normals.values.push_back(float(c));
+    }
+  mesh.indices = {0, 2, 1, 0, 3, 2, 4, 5, 6, 4, 6, 7};
+  mesh.attributes = {std::move(colors), std::move(normals)};
+  return mesh;
+}
+
+TEST_CASE("bake onto: both sides of a sharp edge show one place of a surface beside it") {
+  TriangleMesh low = roof(0);
+  low.attributes.clear();
+  RemeshOptions options;
+  options.cage = 20;
+  const Baked baked = bakedOnto(std::move(low), roof(0.3), options);
+  CHECK(baked.report.charts == 2);
+  const io::Image& map = mapOf(baked, "baseColor");
+  const TriangleMesh& mesh = baked.model.parts.front().mesh;
+  const Attribute& texcoords = *findAttribute(mesh, "TEXCOORD_0");
+  std::size_t count = 0;
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    if (mesh.positions[v].x() != 0) continue;
+    const auto column = Index(double(texcoords.values[2 * v]) * map.width);
+    const auto row = Index(double(texcoords.values[2 * v + 1]) * map.height);
+    const int shown = map.texels[4 * (std::size_t{row} * map.width + column)];
+    CHECK(std::abs(shown - 188) <= 4);  // half the light, and up to a texel beside it
+    ++count;
+  }
+  CHECK(count == 4);
+}
