@@ -14,6 +14,10 @@ namespace remesher {
 
 namespace {
 
+// Charts keep twice their padding from each other, which painted maps need for five mip levels.
+// Half of it beyond the filter's texel is what others keep who paint for three.
+constexpr Index kUnpaintedShare = 2 * kPaddingShare;
+
 // The triangles of all parts, at the sizes at which they are shown.
 struct Gathered {
   std::vector<Vec3> positions;
@@ -43,7 +47,7 @@ AtlasReport unwrapParts(std::vector<io::Part>& parts, Index size) {
   const Gathered all = gatheredFrom(parts);
   const std::vector<char> cuts(all.indices.size(), 0);
   const Unwrapped unwrapped =
-      unwrap({all.positions, all.indices, cuts, all.faces}, {size, 1 + size / kPaddingShare});
+      unwrap({all.positions, all.indices, cuts, all.faces}, {size, 1 + size / kUnpaintedShare});
   if (!(unwrapped.scale > 0))
     throw Error(ErrorCode::InvalidOption,
                 "A square of " + std::to_string(size) + " texels is too small for " +

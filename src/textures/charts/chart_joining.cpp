@@ -21,7 +21,7 @@ namespace remesher {
 namespace {
 
 // Limit on a union's triangles: each join visits all of them, and larger charts have little border.
-constexpr std::size_t kMostTriangles = 512;
+constexpr std::size_t kMostTriangles = 2048;
 // A union may be as long as this multiple of the longer of its charts, whatever the limit.
 constexpr double kGrown = 1.1;
 // Directions in which the length of a chart is measured.
@@ -121,8 +121,7 @@ class Joining {
     for (const Index t : triangles_[chart])
       for (Index h = 3 * t; h < 3 * t + 3; ++h) corners_[h] = enlarged * frame.project(position(h));
     PlaneMesh mesh = meshOf(triangles_[chart]);
-    relax(mesh);
-    if (isTrue(mesh) && !coversTwice(borderOf(triangles_[chart], mesh)))
+    if (relax(mesh) && !coversTwice(borderOf(triangles_[chart], mesh)))
       keep(triangles_[chart], mesh);
   }
 
@@ -253,8 +252,7 @@ class Joining {
     std::vector<Index> all = others;
     all.insert(all.end(), own.begin(), own.end());
     PlaneMesh mesh = meshOf(all);
-    relax(mesh);
-    if (!isTrue(mesh) || lengthOf(mesh) > longest || coversTwice(borderOf(all, mesh))) {
+    if (!relax(mesh) || lengthOf(mesh) > longest || coversTwice(borderOf(all, mesh))) {
       glue(next.seam, 0);
       for (std::size_t i = 0; i < before.size(); ++i) corners_[3 * own[i / 3] + i % 3] = before[i];
       return false;

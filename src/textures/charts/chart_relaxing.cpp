@@ -9,7 +9,8 @@ namespace remesher {
 
 namespace {
 
-constexpr int kRounds = 10;
+// Rounds between looks at whether a chart is true, and the most of them.
+constexpr int kRounds = 20, kMostRounds = 80;
 // Bounds on an area's ratio to its true size: areas are even to within 1 / cos(kMostTilt).
 const double kMostArea = 1 / std::sqrt(std::cos(kMostTilt)), kLeastArea = 1 / kMostArea;
 // Largest ratio of the longest to the shortest axis of a circle drawn on the surface: that of a
@@ -35,6 +36,12 @@ bool isTrue(const PlaneTriangle& wanted, const PlaneTriangle& t) {
   to << t[1] - t[0], t[2] - t[0];
   const double squares = (to * from.inverse()).squaredNorm();
   return squares <= product * (kMostStretch + 1 / kMostStretch);
+}
+
+bool isTrue(const PlaneMesh& mesh) {
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    if (!isTrue(mesh.wanted[t], placed(mesh, t))) return false;
+  return true;
 }
 
 }  // namespace
@@ -65,11 +72,12 @@ PlaneTriangle laidDown(const Vec3& a, const Vec3& b, const Vec3& c) {
   return {Vec2::Zero(), Vec2(length, 0), Vec2(along.dot(c - a), along.cross(c - a).norm())};
 }
 
-void relax(PlaneMesh& mesh) {
+bool relax(PlaneMesh& mesh) {
   std::vector<double> weights(mesh.vertices.size(), 0);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     for (const Index v : mesh.triangles[t]) weights[v] += twiceArea(mesh.wanted[t]);
-  for (int i = 0; i < kRounds; ++i) {
+  for (int i = 0; i < kMostRounds; ++i) {
+    if (i > 0 && i % kRounds == 0 && isTrue(mesh)) return true;
     std::vector<Vec2> sums(mesh.vertices.size(), Vec2::Zero());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
       const PlaneTriangle& wanted = mesh.wanted[t];
@@ -80,12 +88,7 @@ void relax(PlaneMesh& mesh) {
     for (std::size_t v = 0; v < sums.size(); ++v)
       if (weights[v] > 0) mesh.vertices[v] = sums[v] / weights[v];
   }
-}
-
-bool isTrue(const PlaneMesh& mesh) {
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    if (!isTrue(mesh.wanted[t], placed(mesh, t))) return false;
-  return true;
+  return isTrue(mesh);
 }
 
 }  // namespace remesher

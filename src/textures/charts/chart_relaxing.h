@@ -34,9 +34,9 @@ struct PlaneMesh {
   std::vector<PlaneTriangle> wanted;  // per triangle
 };
 
-void relax(PlaneMesh& mesh);
-
-// Whether no triangle is turned over, all areas are about right, and no triangle is stretched much.
-bool isTrue(const PlaneMesh& mesh);
+// Whether the relaxed mesh is true to the surface: no triangle is turned over, all areas are about
+// right, and no triangle is stretched much. It is relaxed until it is, or for as long as it may
+// become so.
+bool relax(PlaneMesh& mesh);
 
 }  // namespace remesher

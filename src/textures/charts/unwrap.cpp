@@ -18,7 +18,7 @@ namespace {
 // multiples of the side of a square of the whole surface's area. Shorter charts, which are more,
 // are taken only if they are drawn larger by kWorthMore.
 constexpr std::array kLongest = {kInfinity, 1.3, 0.9};
-constexpr double kFull = 0.45, kWorthMore = 1.07;
+constexpr double kFull = 0.5, kWorthMore = 1.07;
 
 struct Layout {
   std::vector<FlatChart> charts;

@@ -225,12 +225,13 @@ TEST_CASE("unwrap: no flips, no overlaps, even texels, padding") {
   }
 }
 
-TEST_CASE("unwrap: what is flat is one chart, a tube, a box and a sphere few") {
+TEST_CASE("unwrap: what is flat is one chart, a tube, a box, a sphere and a torus few") {
   const auto flat = [](double u, double v) { return Vec3(u, 2 * v, 0); };
   CHECK(Laid(grid(20, 20, flat)).uv.chartCount == 1);
   CHECK(Laid(tube()).uv.chartCount <= 2);
   CHECK(Laid(cube()).uv.chartCount <= 3);
   CHECK(Laid(sphere()).uv.chartCount <= 12);
+  CHECK(Laid(shapes::torus(24, 24)).uv.chartCount <= 7);
 }
 
 TEST_CASE("unwrap: what can be laid flat is laid flat as it is") {
