@@ -22,6 +22,23 @@ bool isAtCorner(const SurfacePoint& p, const OriginalSurface& surface) {
   return false;
 }
 
+// Whether a quad between curves faces away from the surface on both sides of each of them.
+bool facesAway(const QuadMesh& mesh, Index quad, const Vec3& normal) {
+  constexpr double kAway = -0.7, kUpright = 0.1;
+  double most = -1, least = 1;
+  bool isBetweenCurves = false;
+  for (const Index v : mesh.quads[quad]) {
+    const Placement& place = mesh.vertices[v];
+    if (place.kind != VertexKind::Curve) continue;
+    isBetweenCurves = true;
+    for (const Vec3& side : {place.normal, place.across}) {
+      most = std::max(most, side.dot(normal));
+      least = std::min(least, side.dot(normal));
+    }
+  }
+  return isBetweenCurves && most < kUpright && least < kAway;
+}
+
 }  // namespace
 
 Quad MovingQuads::corners(Index quad) const {
@@ -35,12 +52,14 @@ Quad MovingQuads::corners(Index quad) const {
 double MovingQuads::quality(Index quad) const {
   const Quad places = corners(quad);
   const Quad across = cornerNormals(places);
-  const double own = leastSine(across, areaVector(places).normalized());
+  const Vec3 upward = areaVector(places).normalized();
+  const double own = leastSine(across, upward);
   Vec3 normal = Vec3::Zero();
   for (const Index v : mesh_.quads[quad])
     if (mesh_.vertices[v].kind == VertexKind::Interior) normal += mesh_.vertices[v].normal;
   const double length = normal.norm();
-  return length > 0 ? std::min(own, leastSine(across, normal / length)) : own;
+  if (length > 0) return std::min(own, leastSine(across, normal / length));
+  return own > 0 && facesAway(mesh_, quad, upward) ? -own : own;
 }
 
 double MovingQuads::qualityAround(Index v) const {

@@ -98,3 +98,25 @@ TEST_CASE("smoothing: no inner vertex takes the place of a corner") {
   }
   CHECK(inner > 0);
 }
+
+TEST_CASE("smoothing: a flat quad between curves counts as folded once it is turned over") {
+  const OriginalSurface surface = shapes::surfaceOf(shapes::cylinder(24, 6));
+  const WorkingMesh ground(surface);
+  QuadMesh quads;
+  for (Index v = 0; v < ground.mesh().vertexCount(); ++v) {
+    const Placement place = ground.placement(Vertex(v));
+    if (place.kind == VertexKind::Curve && place.position.z() > 0) quads.vertices.push_back(place);
+  }
+  REQUIRE(quads.vertices.size() > 12);
+  const auto angle = [](const Placement& place) {
+    return std::atan2(place.position.y(), place.position.x());
+  };
+  std::sort(quads.vertices.begin(), quads.vertices.end(),
+            [&](const Placement& a, const Placement& b) { return angle(a) < angle(b); });
+  const auto quarter = Index(quads.vertices.size() / 4);
+  quads.quads = {{0, quarter, 2 * quarter, 3 * quarter}};
+  quads.curves = {{kNone, kNone, kNone, kNone}};
+  CHECK(MovingQuads(quads, ground).quality(0) > 0.7);
+  std::swap(quads.quads[0][1], quads.quads[0][3]);
+  CHECK(MovingQuads(quads, ground).quality(0) < -0.7);
+}
