@@ -49,8 +49,9 @@ constexpr double kHardlyUnrolled = 0.2;
 constexpr double kChord = 1.25, kMuchWider = 10;
 constexpr double kMostOfVolume = 1e-3, kMostOfEdges = 0.98, kNearEdge = 3;
 // By how much less, in degrees on average, the angles of a mesh of facets may be: its shape is
-// exact. From kFineFacets on they are wide enough whatever others are.
-constexpr double kHardlyLess = 2, kFineFacets = 48;
+// exact. From kFineFacets on they are wide enough whatever others are, and from kFineUnrolled on
+// those of facets that are hardly unrolled.
+constexpr double kHardlyLess = 2, kFineFacets = 48, kFineUnrolled = 50;
 
 // Whether nothing is drawn on the surface: there isotropic triangles are worth more than half a
 // pixel.
@@ -316,8 +317,8 @@ bool ShapeComparison::hasForShape() {
 bool ShapeComparison::hasConforming() { return conforming().has_value(); }
 
 bool ShapeComparison::areFacetsFine() {
-  if (!isPart() || !isAllFacets() || !conforming() || isUnrolled()) return false;
-  return qualityOf(conforming()->mesh).isGood(kFineFacets);
+  if (!isPart() || !isAllFacets() || !conforming() || farthest_ > kHardlyUnrolled) return false;
+  return qualityOf(conforming()->mesh).isGood(isUnrolled() ? kFineUnrolled : kFineFacets);
 }
 
 bool ShapeComparison::mayConform(const WorkingMesh& isotropic) {
@@ -327,7 +328,7 @@ bool ShapeComparison::mayConform(const WorkingMesh& isotropic) {
 bool ShapeComparison::isConformingBetter(const WorkingMesh& isotropic) {
   if (!mayConform(isotropic) || !conforming()) return false;
   if (isSeen(isotropic)) return !isIsotropicInstead(isotropic);
-  if (isUnrolled()) return false;
+  if (isUnrolled()) return areFacetsFine();
   const double facets = qualityOf(conforming()->mesh).mean;
   return facets >= kFineFacets || facets >= qualityOf(isotropic).mean - kHardlyLess;
 }
