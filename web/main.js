@@ -55,12 +55,18 @@ function cancel() {
   page.session.cancel();
 }
 
-/** The address's options apply to the next model only.
+/** The address's options, which apply once: to the present model or to the next. */
+function granted() {
+  const { values } = wished;
+  wished = { model: null, values: {} };
+  return values;
+}
+
+/** Opens a model, with the address's options.
  * @param {Promise<import('./files/files.js').PathedFile[]>} items @param {string | null} source */
 function take(items, source) {
-  const { values } = wished;
+  const values = granted();
   steering.stop();
-  wished = { model: null, values: {} };
   void open(page, items, { source, wished: values, onForm: () => {
     steering.begin();
     forgetAngle();
@@ -103,7 +109,7 @@ addEventListener('hashchange', () => {  // typed by hand: the page's own changes
     take(namedFiles(wished.model), wished.model);
     return;
   }
-  page.panel.setValues(wished.values);
+  page.panel.setValues(granted());
   steering.settle();
   void run();
 });

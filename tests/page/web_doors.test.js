@@ -11,6 +11,7 @@ import { barriers } from '../support/barriers.js';
 import { overlappingBoxes } from '../support/broken_shapes.js';
 import { drop, opened, saved, settled, visit } from '../support/browser_page.js';
 import { choose, download, eachPurpose, ring, said, verdict } from '../support/doors.js';
+import { plate } from '../support/machine_parts.js';
 import { placesOf } from '../support/mesh_files.js';
 import { glbBytes, torus } from '../support/shape_files.js';
 import { stl } from '../support/shapes.js';
@@ -111,6 +112,20 @@ test('a model that has fewer vertices than its shape needs is opened all the sam
   assert.equal(await page.isVisible('#error'), false);
   assert.match(text, /^Closed, but more than two triangles meet at 1 edge\./);
   assert.match(await page.textContent('#landmark-nonManifold'), /^1 non-manifold edge$/);
+});
+
+test('where edges are too long for wide angles, shorter ones are offered, and help', async () => {
+  await drop(page, { 'plate.stl': stl(plate()) });
+  await opened(page, 'plate.stl');
+  await page.evaluate(() => {
+    location.hash = 'purpose=simulation&edgeLength=5.8&minAngle=20&adaptivity=0.3&gradation=1.3'
+      + '&featureAngle=30';
+  });
+  await page.click('.verdict button:text-is("Half the edge length")');
+  assert.equal(await page.inputValue('#amount'), '2.9');
+  const text = await verdict(page);
+  assert.match(text, /Smallest angle [2-5]\d\.\d°/);
+  assert.doesNotMatch(text, /narrow|damage/);
 });
 
 test('a unit is kept with the model, and numbers follow it; glTF is metres', async () => {

@@ -82,6 +82,7 @@ function showVerdict(page) {
     onExact: () => panel.runWith({ ...noTarget, faces: judged.exact }),
     onMore: () => panel.runWith({ ...noTarget,
       faces: 2 * (quads?.count ?? triangles) }),
+    onShorter: () => panel.runWith({ edgeLength: Number(shown.values.edgeLength) / 2 }),
     onMaps: () => openExpert('.maps'),
     onNotes: () => openExpert('#result'),
   }));

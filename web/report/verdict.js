@@ -21,7 +21,7 @@ import { distanceIn, lengthIn } from '../model/units.js';
 
 /** @typedef {{ onLargest: () => void, onPlace: (place: [number, number, number]) => void,
  *   onThicken: () => void, onWithin: () => void, onExact: () => void, onMore: () => void,
- *   onMaps: () => void, onNotes: () => void }} VerdictActs */
+ *   onShorter: () => void, onMaps: () => void, onNotes: () => void }} VerdictActs */
 
 /** @typedef {{ kind: 'good' | 'bad' | 'plain', text: string,
  *   act?: { label: string, run: () => void } | null }} Line */
@@ -149,14 +149,20 @@ function repairLines({ report, diagonal, scale }, { onPlace }) {
 
 /** Where shape was lost, or kept at the cost of isotropic triangles: the way out.
  * @param {Judged} judged @param {VerdictActs} acts @returns {Line[]} */
-function shapeLines({ report, values, largest, diagonal, exact }, { onWithin, onExact, onMore }) {
+function shapeLines({ report, values, largest, diagonal, exact },
+  { onWithin, onExact, onMore, onShorter }) {
   if (!report.fidelity) return [];
   const { triangles } = report.output;
   if (values.purpose === 'asset' && exact === report.input.triangles && triangles === exact) {
     return [{ kind: 'plain', text: t('verdict.needed') }];
   }
-  const keepsOwn = report.prefer?.includes('shape') && values.prefer !== 'shape';
-  if (keepsOwn) {
+  const isShapeFirst = report.prefer?.includes('shape') && values.prefer !== 'shape';
+  if (isShapeFirst && values.purpose === 'simulation' && values.edgeLength) {
+    return report.output.minAngle.worst >= smallAngle ? [] : [{ kind: 'bad',
+      text: t('verdict.narrow'), act: { label: t('verdict.shorter'), run: onShorter } }];
+  }
+  // With more triangles than it had, each facet was meshed for itself.
+  if (isShapeFirst && triangles <= report.input.triangles) {
     return [{ kind: 'bad', text: t('verdict.own'),
       act: { label: t('verdict.within'), run: onWithin } }];
   }

@@ -377,6 +377,9 @@ export default {
   'verdict.own': 'Isotrope Dreiecke dieser Größe würden das Teil beschädigen, darum behält '
     + 'es seine eigenen.',
   'verdict.within': 'So viele nehmen, dass die Form bleibt',
+  'verdict.narrow': 'Isotrope Dreiecke dieser Größe würden das Teil beschädigen, darum sind '
+    + 'manche schmal.',
+  'verdict.shorter': 'Halb so lange Kanten',
   'verdict.corners': 'Ab {count} Dreiecken behalten die ebenen Seiten alle ihre Ecken.',
   'verdict.needed': 'Jedes Dreieck wird gebraucht: Weniger würden Form oder Farben ändern.',
   'verdict.lost': 'Ein feineres Netz erhält mehr von der Form.',

@@ -382,6 +382,8 @@ export default {
   'verdict.repaired': 'Repaired: {what}.',
   'verdict.own': 'Isotropic triangles of this size would damage the part, so it keeps its own.',
   'verdict.within': 'Use as many as keep its shape',
+  'verdict.narrow': 'Isotropic triangles this large would damage the part, so some are narrow.',
+  'verdict.shorter': 'Half the edge length',
   'verdict.corners': 'From {count} triangles on, its flat sides keep all their corners.',
   'verdict.needed': 'Every triangle is needed: fewer would change its shape or its colours.',
   'verdict.lost': 'A finer mesh keeps more of the shape.',

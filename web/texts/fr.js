@@ -382,6 +382,9 @@ export default {
   'verdict.own': 'Des triangles isotropes de cette taille abîmeraient la pièce, elle garde donc '
     + 'les siens.',
   'verdict.within': 'En prendre assez pour garder la forme',
+  'verdict.narrow': 'Des triangles isotropes de cette taille abîmeraient la pièce, certains sont '
+    + 'donc étroits.',
+  'verdict.shorter': 'Arêtes deux fois plus courtes',
   'verdict.corners': 'À partir de {count} triangles, ses faces planes gardent tous leurs coins.',
   'verdict.needed': 'Chaque triangle est nécessaire : moins changerait la forme ou les couleurs.',
   'verdict.lost': 'Un maillage plus fin garde mieux la forme.',
