@@ -17,6 +17,8 @@ namespace {
 // Larger stars are left as they are: filling them takes the cube of this number.
 constexpr std::size_t kLargestStar = 48;
 constexpr int kPasses = 8;
+// Radians. Angles that differ by less are the same, rounded: compilers sum in different orders.
+constexpr double kSameAngle = 1e-9;
 
 // A side of a polygon: from this point to the next side's, along a facet with this origin.
 struct PolygonSide {
@@ -210,7 +212,7 @@ class Merging {
                     c = polygon[(i + 1) % n].point;
         const double angle =
             minAngle(points_.position(a), points_.position(b), points_.position(c));
-        if (angle > widest && isEar(polygon, i, view, sign)) widest = angle, best = i;
+        if (angle > widest + kSameAngle && isEar(polygon, i, view, sign)) widest = angle, best = i;
       }
       if (best == n) return false;
       PolygonSide& before = polygon[(best + n - 1) % n];
