@@ -2,7 +2,7 @@
 // The verdict on a result in words: closed or not, how far from the original, how large, what was
 // repaired and what was lost, with places to look at.
 import { element } from '../base/dom.js';
-import { count, degrees, fileSize, percent, wholePercent } from '../base/format.js';
+import { count, degrees, fileSize, length, percent, wholePercent } from '../base/format.js';
 import { t } from '../base/i18n.js';
 import { wasRepaired } from '../model/names.js';
 import { distanceIn, lengthIn } from '../model/units.js';
@@ -118,7 +118,7 @@ function solverLines({ report: { output }, values, scale, edges }) {
     text: t('verdict.angle', { worst: degrees(worst), mean: degrees(mean) }) };
   if (!edges) return [angles];
   return [angles, { kind: 'plain', text: t('verdict.edges', { mean: lengthIn(scale, edges.mean),
-    least: lengthIn(scale, edges.least), most: lengthIn(scale, edges.most) }) }];
+    least: length(edges.least / scale.size), most: lengthIn(scale, edges.most) }) }];
 }
 
 const counted = /** @type {const} */ (['holes', 'islands', 'shells', 'turned']);
