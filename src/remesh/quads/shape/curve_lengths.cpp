@@ -131,11 +131,11 @@ double shareToBest(const Path& path, const WorkingMesh& ground) {
 
 // All vertices but the inner ones of the quads beside the path, and of those beside these.
 std::vector<char> farFrom(const Path& path, const MovingQuads& quads) {
-  constexpr std::size_t kRings = 3;
+  constexpr std::size_t kRingsAround = 3;
   const std::vector<Placement>& vertices = quads.mesh().vertices;
   std::vector<Index> near = path.vertices;
   std::vector<char> isFar(vertices.size(), 1);
-  for (std::size_t begin = 0, ring = 0; ring < kRings; ++ring) {
+  for (std::size_t begin = 0, ring = 0; ring < kRingsAround; ++ring) {
     const std::size_t end = near.size();
     for (; begin < end; ++begin)
       quads.sides().forEachOutgoing(near[begin], [&](Index side) {
