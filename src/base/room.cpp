@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/room.h"
 
+#include "base/error.h"
 #include "base/legible.h"
 
 namespace remesher {
@@ -23,6 +24,14 @@ std::string needsInWords(const RoomNeeds& needs, double addresses) {
          " GB of memory; this build has " + inDigits(addresses / kGigabyte, kFewDigits) +
          " GB, enough for about " + inMillions(needs.triangles * addresses / needs.bytes) +
          " triangles.";
+}
+
+void refuseSize(const RoomNeeds& needs, const std::string& verb, const std::string& hint,
+                double addresses) {
+  throw Error(ErrorCode::OutOfMemory,
+              "This model has " + inMillions(needs.triangles) + " triangles. To " + verb + " it " +
+                  needsInWords(needs, addresses),
+              hint);
 }
 
 }  // namespace remesher

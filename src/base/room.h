@@ -22,4 +22,8 @@ bool haveRoom(const RoomNeeds& needs, double addresses = kAddresses);
 // `takes about 6.12 GB of memory; this build has 4.29 GB, enough for about 7.16 M triangles.`
 std::string needsInWords(const RoomNeeds& needs, double addresses = kAddresses);
 
+// OUT_OF_MEMORY for a model of which there is no room to do what the verb says.
+[[noreturn]] void refuseSize(const RoomNeeds& needs, const std::string& verb,
+                             const std::string& hint, double addresses = kAddresses);
+
 }  // namespace remesher

@@ -104,10 +104,20 @@ Report runBake(BakeSource high, io::Model& low, const RemeshOptions& options,
   return report;
 }
 
+void requireRoomToUnwrap(const std::vector<io::Part>& parts, double addresses) {
+  constexpr double kBytesPerTriangle = 600;
+  double triangles = 0;
+  for (const io::Part& part : parts) triangles += double(part.mesh.triangleCount());
+  const RoomNeeds needs = {triangles, kBytesPerTriangle * triangles};
+  if (haveRoom(needs, addresses)) return;
+  refuseSize(needs, "unwrap", "Remesh it to fewer vertices first, or give it in parts.", addresses);
+}
+
 Report runUnwrap(io::Model& model, const RemeshOptions& options, const Progress& progress) {
   Report report;
   progress.phase("inspect", 0, kInspected);
   requireParts(model, "unwrap");
+  requireRoomToUnwrap(model.parts);
   report.input = inspectScaled(model.parts);
   std::size_t imaged = 0;
   for (const io::Part& part : model.parts)

@@ -8,6 +8,7 @@
 #include "base/options.h"
 #include "base/progress.h"
 #include "base/report.h"
+#include "base/room.h"
 #include "io/model/model.h"
 
 namespace remesher {
@@ -24,8 +25,11 @@ struct BakeSource {
 Report runBake(BakeSource high, io::Model& low, const RemeshOptions& options,
                const Progress& progress);
 
+// Throws OUT_OF_MEMORY if the parts have no room to be unwrapped.
+void requireRoomToUnwrap(const std::vector<io::Part>& parts, double addresses = kAddresses);
+
 // Gives all parts of the model together new texture coordinates; images of its materials, which no
-// longer fit, are left out. Throws INVALID_OPTION and the Errors of requireValid.
+// longer fit, are left out. Throws INVALID_OPTION, the Errors of requireValid, and those above.
 Report runUnwrap(io::Model& model, const RemeshOptions& options, const Progress& progress);
 
 }  // namespace remesher

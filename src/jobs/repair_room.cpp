@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "base/error.h"
 #include "repair/fineness.h"
 
 namespace remesher {
@@ -27,11 +26,10 @@ RoomNeeds roomToRepair(const std::vector<io::Part>& parts) {
 void requireRoomToRepair(const std::vector<io::Part>& parts, double addresses) {
   const RoomNeeds needs = roomToRepair(parts);
   if (haveRoom(needs, addresses)) return;
-  throw Error(ErrorCode::OutOfMemory,
-              "This model has " + inMillions(needs.triangles) + " triangles. To repair it " +
-                  needsInWords(needs, addresses),
-              "Give it in parts, or remesh it to few vertices without repair, which thins it out, "
-              "and repair the result.");
+  refuseSize(needs, "repair",
+             "Give it in parts, or remesh it to few vertices without repair, which thins it out, "
+             "and repair the result.",
+             addresses);
 }
 
 std::optional<Warning> noRoomForFaults(const std::vector<io::Part>& parts, double addresses) {

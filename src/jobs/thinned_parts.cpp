@@ -124,11 +124,9 @@ std::string thinnedFor(double vertices) {
   return "For up to " + inMillions(vertices) + " vertices it is thinned out first";
 }
 
-[[noreturn]] void refuseSize(const RoomNeeds& needs, const std::string& way, double addresses) {
-  throw Error(ErrorCode::OutOfMemory,
-              "This model has " + inMillions(needs.triangles) + " triangles. To remesh it " +
-                  needsInWords(needs, addresses),
-              way + "Give it in parts, or remesh it with the native library.");
+[[noreturn]] void refuseToRemesh(const RoomNeeds& needs, const std::string& way, double addresses) {
+  refuseSize(needs, "remesh", way + "Give it in parts, or remesh it with the native library.",
+             addresses);
 }
 
 // Calls visit(first corner) for each triangle, with whether it has three different places.
@@ -174,7 +172,7 @@ void requireRoomToRemesh(const std::vector<io::Part>& parts, const Thinning& thi
   const double fits = mostThinned(parts, limits);
   const std::string but = hindrance.empty() ? "" : ", but not with " + std::string(hindrance);
   const std::string way = fits >= 1 ? thinnedFor(fits) + but + ". " : "";
-  refuseSize(needs, way, limits.addresses);
+  refuseToRemesh(needs, way, limits.addresses);
 }
 
 }  // namespace
@@ -184,7 +182,7 @@ std::vector<Warning> roomWarnings(const std::vector<io::Part>& parts,
   const RoomNeeds needs = needsOf(parts, kInfinity);
   if (haveRoom(needs, limits.addresses)) return {};
   const double fits = mostThinned(parts, limits);
-  if (fits < 1) refuseSize(needs, "", limits.addresses);
+  if (fits < 1) refuseToRemesh(needs, "", limits.addresses);
   std::vector<Warning> warnings = {{"NEEDS_THINNING",
                                     "To remesh this model as it is " +
                                         needsInWords(needs, limits.addresses) + " " +

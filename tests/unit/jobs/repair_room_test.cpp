@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "jobs/bake_run.h"
 #include "support/shapes.h"
 
 using namespace remesher;
@@ -37,6 +38,13 @@ TEST_CASE("repair room: what has none is said in numbers of this model") {
     CHECK(error.code == ErrorCode::OutOfMemory);
     CHECK(std::string(error.what()).ends_with(fits));
   }
+}
+
+TEST_CASE("repair room: unwrapping what has no room is refused in the same words") {
+  const double triangles = double(balls(2).front().mesh.triangleCount());
+  CHECK_NOTHROW(requireRoomToUnwrap(balls(2), 1200 * triangles));
+  CHECK_THROWS_WITH_AS(requireRoomToUnwrap(balls(2), 600 * triangles),
+                       doctest::Contains("To unwrap it takes about"), Error);
 }
 
 TEST_CASE("repair room: parts are repaired one after the other") {
