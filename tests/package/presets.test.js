@@ -14,6 +14,8 @@ import { png } from '../support/png.js';
 import { offText, sheet, torus } from '../support/shapes.js';
 
 const names = optionTable.map(({ name }) => name);
+/** What the preset `asset` mends. */
+const mended = { repair: 'holes', holesUpTo: 3, keepRims: true };
 const ring = torus({ columns: 24, rows: 12 });
 
 test('a preset stands for options of the table, and sets no target', () => {
@@ -43,12 +45,13 @@ test('what contradicts an option of a preset overrides it, and the others stay',
   for (const given of [{ quads: true }, { maxError: 0.1 }, { boundary: 'keep' }]) {
     const { preset: stood } = checkOptions({ preset: 'asset', ...given });
     assert.deepEqual(stood,
-      { repair: 'auto', dropBelow: 'auto', textures: 'bake', textureFormat: 'webp',
-        compress: 'auto' });
+      { ...mended, dropBelow: 'auto', textures: 'bake', textureFormat: 'webp', compress: 'auto' });
   }
   const kept = checkOptions({ preset: 'asset', textures: 'keep' });
   assert.deepEqual(kept.preset,
-    { repair: 'auto', dropBelow: 'auto', prefer: 'shape', compress: 'auto' });
+    { ...mended, dropBelow: 'auto', prefer: 'shape', compress: 'auto' });
+  const { preset: whole } = checkOptions({ preset: 'asset', repair: 'solid', textures: 'keep' });
+  assert.deepEqual(whole, { dropBelow: 'auto', prefer: 'shape', compress: 'auto' });
   assert.equal(checkOptions({ preset: 'print', holesUpTo: 5 }).repair, 'auto');
   assert.equal(checkOptions({ preset: 'print', prefer: 'shape' }).maxError, undefined);
 });
@@ -70,7 +73,7 @@ test('nothing is baked where there is nothing to bake from, or no file that woul
   async () => {
     const bytes = new TextEncoder().encode(offText(sheet(8)));
     const asked = { name: 'sheet.off', preset: 'asset', vertices: 60, quality: 'draft' };
-    const bare = { repair: 'auto', dropBelow: 'auto', prefer: 'shape' };
+    const bare = { ...mended, dropBelow: 'auto', prefer: 'shape' };
     assert.deepEqual((await remeshFile(bytes, { ...asked, output: 'glb' })).report.preset, bare);
     assert.deepEqual((await remesh(ring, { preset: 'asset', vertices: 99 })).report.preset, bare);
   });

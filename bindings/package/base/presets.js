@@ -16,10 +16,10 @@
 /** The table of presets. @type {readonly Preset[]} */
 export const presets = [
   { name: 'asset', help: 'a generated or scanned model for a scene, a game or AR: without '
-    + 'floaters, repaired where it is broken, vertices where shape and looks need them, new '
+    + 'floaters, small holes closed, vertices where shape and looks need them, new '
     + 'textures in one set, compressed if it came so',
-  values: { repair: 'auto', dropBelow: 'auto', prefer: 'shape', textures: 'bake',
-    textureFormat: 'webp', compress: 'auto' } },
+  values: { repair: 'holes', holesUpTo: 3, keepRims: true, dropBelow: 'auto', prefer: 'shape',
+    textures: 'bake', textureFormat: 'webp', compress: 'auto' } },
   { name: 'print', help: 'a closed body for printing, within 0.2 % of the diagonal',
     values: { adaptivity: 0.7, maxError: 0.2, repair: 'auto' } },
   { name: 'simulation', help: 'a closed surface of triangles whose sizes change slowly, without '
@@ -29,8 +29,11 @@ export const presets = [
   { name: 'accurate', help: 'the least error for a number of vertices', values: { adaptivity: 1 } },
 ];
 
-/** Options that only baked textures have. */
-const ofBaking = ['textureSize', 'textureFormat'];
+/**
+ * Options by the option whose value in the preset they go with.
+ * @type {Readonly<Record<string, readonly string[]>>}
+ */
+const belonging = { textures: ['textureSize', 'textureFormat'], repair: ['holesUpTo', 'keepRims'] };
 
 /** @typedef {Record<string, unknown>} Options */
 
@@ -55,12 +58,16 @@ export function withPreset(given, check = () => {}) {
   const { preset: asked, ...options } = given;
   const preset = presets.find(({ name }) => name === asked);
   if (!preset) return given;
+  const isOverridden = (/** @type {string} */ option) => options[option] !== undefined
+    && options[option] !== preset.values[option];
   const isFree = (/** @type {string} */ option) => options[option] === undefined
-    && !(ofBaking.includes(option) && (options.textures ?? preset.values.textures) !== 'bake');
+    && !Object.keys(belonging).some((owner) => belonging[owner].includes(option)
+      && isOverridden(owner));
   const all = Object.entries(preset.values).filter(([option]) => isFree(option));
   const whole = (/** @type {typeof all} */ values) =>
     ({ ...options, ...Object.fromEntries(values) });
-  const without = (/** @type {string} */ name) => all.filter(([option]) => option !== name);
+  const without = (/** @type {string} */ name) => all.filter(([option]) => option !== name
+    && !belonging[name]?.includes(option));
   const fits = (/** @type {typeof all} */ values) => passes(() => check(whole(values)));
   const contradicting = fits(all) ? undefined : all.find(([option]) => fits(without(option)));
   const added = contradicting ? without(contradicting[0]) : all;
@@ -88,7 +95,7 @@ function withoutOfPreset(options, names) {
 export function withoutPresetBaking(options) {
   const { preset } = /** @type {{ preset?: Options }} */ (options);
   if (preset?.textures !== 'bake') return options;
-  return withoutOfPreset(options, ['textures', ...ofBaking]);
+  return withoutOfPreset(options, ['textures', ...belonging.textures]);
 }
 
 /**
