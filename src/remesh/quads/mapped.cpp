@@ -53,10 +53,11 @@ constexpr int kMoreMaps = 24;
 // Where loops wind farther than this, other integers are looked for; so many maps of these are
 // extracted at most.
 constexpr double kWinding = 0.3;
-constexpr std::size_t kMostClosed = 4;
-// Their quads may be farther from the surface, and their corners from right angles, by these
-// factors; and corners have at least this sine, or that of the worst one before.
-constexpr double kHardlyFarther = 1.05, kHardlySkewer = 1.15, kSoundSine = 0.3;
+constexpr std::size_t kMostClosed = 6;
+// Of these so many are finished, to be compared with the quads before. Corners and distances may be
+// worse by this factor; and corners have at least this sine, or that of the worst one before.
+constexpr std::size_t kMostFinished = 3;
+constexpr double kHardlyWorse = 1.05, kSoundSine = 0.45;
 
 // A connected part, and what its map is made on.
 struct Domain {
@@ -227,13 +228,14 @@ double windingOf(const QuadMesh& mesh) {
          double(loops.selfCrossing) / double(mesh.quads.size());
 }
 
-// How far corners are from right angles, by the cosine, and the sine of the worst one.
-struct CornerAngles {
-  double meanCosine = 0, leastSine = 1;
+// What quads lack: corners from right angles, by the mean cosine and by the sine of the worst one;
+// and the largest distance from the original, both ways.
+struct Lacks {
+  double meanCosine = 0, leastSine = 1, distance = 0;
 };
 
-CornerAngles cornerAngles(const QuadMesh& mesh) {
-  CornerAngles found;
+Lacks lacksOf(const QuadMesh& mesh, const OriginalDistance& distance) {
+  Lacks found;
   for (const Four<Index>& quad : mesh.quads) {
     Quad corners{};
     for (std::size_t i = 0; i < 4; ++i) corners[i] = mesh.position(quad[i]);
@@ -244,39 +246,55 @@ CornerAngles cornerAngles(const QuadMesh& mesh) {
     }
   }
   found.meanCosine /= 4 * double(mesh.quads.size());
+  found.distance = distance.farthest(mesh);
   return found;
 }
 
-// Whether one map's quads are about as good as the other's.
-bool isAsSquare(const QuadMesh& one, const QuadMesh& other) {
-  const CornerAngles a = cornerAngles(one), b = cornerAngles(other);
-  return a.meanCosine <= kHardlySkewer * b.meanCosine &&
-         a.leastSine >= std::min(b.leastSine, kSoundSine);
+// Of the finished quads: before, tips are lost in any map.
+Lacks finishedLacks(QuadMesh mesh, const WorkingMesh& part, const OriginalDistance& distance) {
+  finish(mesh, part);
+  return lacksOf(mesh, distance);
 }
 
-// Looks for a map of the same scale with other integers whose loops are clearly shorter.
+bool isHardlyWorse(const Lacks& one, const Lacks& other) {
+  return one.meanCosine <= kHardlyWorse * other.meanCosine &&
+         one.distance <= kHardlyWorse * other.distance &&
+         one.leastSine >= std::min(other.leastSine, kSoundSine);
+}
+
+// Looks for a map of the same scale with other integers whose loops are clearly shorter, and whose
+// quads are about as good in the end.
 void closeLoops(Extracted& made, const Domain& domain, const MapMaker& maker, double vertices) {
   const double winding = windingOf(made.quads);
   if (made.faults > 0 || winding <= kWinding || maker.isSpent()) return;
   const std::size_t irregular = irregularCount(made.quads);
-  const double mostAway =
-      std::max(kMostAway, kHardlyFarther * domain.distance.sidesAway(made.quads));
   SeamlessMap start;
   start.wholes = made.wholes;
   start.length = made.length;
   const std::vector<Eigen::VectorXd> found =
       maker.withShorterLoops(start, vertices - double(domain.simpler.added), kCountTolerance);
-  for (std::size_t i = 0; i < std::min(found.size(), kMostClosed); ++i) {
+  std::optional<OriginalDistance> distance;
+  std::optional<Lacks> before;
+  std::size_t finished = 0;
+  for (std::size_t i = 0; i < std::min(found.size(), kMostClosed) && finished < kMostFinished;
+       ++i) {
     const auto map = maker.mapOf(found[i], made.length);
     if (!map) continue;
     Extracted one = extracted(domain, *map);
     const bool isSame = one.lost == 0 && one.faults == 0;
     if (!isSame || irregularCount(one.quads) > irregular) continue;
     if (countError(double(one.quads.vertices.size()), vertices) > kCountTolerance) continue;
+    if (windingOf(one.quads) >= kShorter * winding) continue;
     shape(one.quads, domain.part);
     if (faultsOf(one.quads, domain.part) > 0 || irregularCount(one.quads) > irregular) continue;
-    if (windingOf(one.quads) >= kShorter * winding || !isAsSquare(one.quads, made.quads)) continue;
-    if (domain.distance.sidesAway(one.quads) > mostAway) continue;
+    if (windingOf(one.quads) >= kShorter * winding) continue;
+    if (!before) {
+      distance.emplace(domain.part);
+      before = finishedLacks(made.quads, domain.part, *distance);
+    }
+    ++finished;
+    const Lacks now = finishedLacks(one.quads, domain.part, *distance);
+    if (!isHardlyWorse(now, *before)) continue;
     made = std::move(one);
     return;
   }

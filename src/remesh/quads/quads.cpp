@@ -17,11 +17,8 @@
 #include "remesh/quads/pair/pairing.h"
 #include "remesh/quads/quad_sizes.h"
 #include "remesh/quads/shape/curve_lengths.h"
-#include "remesh/quads/shape/fairing.h"
 #include "remesh/quads/shape/finish.h"
 #include "remesh/quads/shape/plane_sides.h"
-#include "remesh/quads/shape/quad_tips.h"
-#include "remesh/quads/shape/smoothing.h"
 
 namespace remesher {
 
@@ -229,12 +226,12 @@ class QuadMaking {
         break;
       MadeQuads one = made(share);
       if (isFew()) {
-        finish(one);
+        complete(one);
         one.away = QuadDistance(bases_.first()).sidesAway(one.mesh, kNearQuads);
       }
       if (!best || lackOf(one) < lackOf(*best)) best = std::move(one);
     }
-    if (!isFew()) finish(*best);
+    if (!isFew()) complete(*best);
     return std::move(*best);
   }
 
@@ -253,13 +250,11 @@ class QuadMaking {
 
   bool isFew() const { return goal_.vertices <= kFewToFinish; }
 
-  void finish(MadeQuads& made) {
+  void complete(MadeQuads& made) {
     if (goal_.isForced && partFromImages(made.mesh, goal_.mirrors, bases_.first()) > 0)
       settle(made.mesh, bases_.first());
     if (!goal_.isGraded) keepCurveLengths(made.mesh, bases_.first());
-    if (goal_.isDraft) return;
-    reachTips(made.mesh, bases_.first(), kSmoothingSweeps);
-    fair(made.mesh, bases_.first());
+    if (!goal_.isDraft) finish(made.mesh, bases_.first());
   }
 
   // The share by which the number is missed.

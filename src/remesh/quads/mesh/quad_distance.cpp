@@ -49,4 +49,30 @@ double QuadDistance::sidesAway(const QuadMesh& quads, double least) const {
   return farthest < enough ? 0 : farthest / side;
 }
 
+OriginalDistance::OriginalDistance(const WorkingMesh& ground)
+    : ground_(ground), tree_(ground.surface().mesh(), ground.surface().positions()) {}
+
+double OriginalDistance::farthest(const QuadMesh& quads) const {
+  const QuadTree tree(quads);
+  DistanceSampler toQuads(*tree), toOriginal(tree_.triangles());
+  const OriginalSurface& surface = ground_.surface();
+  for (Index v = 0; v < surface.mesh().vertexCapacity(); ++v)
+    if (surface.mesh().isAlive(Vertex(v)))
+      toQuads.addBeyond(toQuads.farthest(), surface.positions()[Vertex(v)]);
+  for (Index v = 0; v < ground_.mesh().vertexCapacity(); ++v)
+    if (ground_.mesh().isAlive(Vertex(v)))
+      toQuads.addBeyond(toQuads.farthest(), ground_.position(Vertex(v)));
+  for (Index t = 0; t < 2 * quads.quads.size(); ++t) {
+    Vec3 middle = Vec3::Zero();
+    const auto corners = tree.corners(t);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3 &a = quads.position(corners[i]), &b = quads.position(corners[(i + 1) % 3]);
+      toOriginal.addBeyond(toOriginal.farthest(), (a + b) / 2);
+      middle += a / 3;
+    }
+    toOriginal.addBeyond(toOriginal.farthest(), middle);
+  }
+  return std::max(toQuads.farthest(), toOriginal.farthest());
+}
+
 }  // namespace remesher

@@ -41,4 +41,19 @@ class QuadDistance {
   const MeshTree tree_;
 };
 
+// How far quads are from the original.
+class OriginalDistance {
+ public:
+  // ground: any mesh on the original, which must outlive it.
+  explicit OriginalDistance(const WorkingMesh& ground);
+
+  // The largest distance of the original's and the ground's vertices from the quads, and of the
+  // middles of their triangles and sides from the original.
+  double farthest(const QuadMesh& quads) const;
+
+ private:
+  const WorkingMesh& ground_;
+  const MeshTree tree_;
+};
+
 }  // namespace remesher

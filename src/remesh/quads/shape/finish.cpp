@@ -5,11 +5,22 @@
 #include <cmath>
 #include <vector>
 
+#include "remesh/quads/mesh/quad_distance.h"
+#include "remesh/quads/shape/fairing.h"
 #include "remesh/quads/shape/mending.h"
+#include "remesh/quads/shape/quad_tips.h"
 #include "remesh/quads/shape/rewiring.h"
 #include "remesh/quads/shape/smoothing.h"
 
 namespace remesher {
+
+namespace {
+
+// More would undo the fairing around tips; and these must bring all quads as much nearer.
+constexpr int kSweepsAfterFairing = 2;
+constexpr double kClearlyNearer = 0.85;
+
+}  // namespace
 
 void settle(QuadMesh& quads, const WorkingMesh& ground) {
   MovingQuads moving(quads, ground);
@@ -21,6 +32,17 @@ void settle(QuadMesh& quads, const WorkingMesh& ground) {
 void shape(QuadMesh& quads, const WorkingMesh& ground) {
   settle(quads, ground);
   rewire(quads, ground);
+}
+
+// Fairing draws some vertices off tips again, for the rows' sake: they go back where the largest
+// distance clearly falls.
+void finish(QuadMesh& quads, const WorkingMesh& ground) {
+  reachTips(quads, ground, kSmoothingSweeps);
+  fair(quads, ground);
+  const QuadMesh fairOnes = quads;
+  if (!reachTips(quads, ground, kSweepsAfterFairing)) return;
+  const OriginalDistance distance(ground);
+  if (distance.farthest(quads) > kClearlyNearer * distance.farthest(fairOnes)) quads = fairOnes;
 }
 
 double unsoundShare(QuadMesh& quads, const WorkingMesh& ground) {

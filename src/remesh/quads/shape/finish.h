@@ -12,6 +12,9 @@ void settle(QuadMesh& quads, const WorkingMesh& ground);
 // Moves vertices, then divides and joins quads around those that stay unsound.
 void shape(QuadMesh& quads, const WorkingMesh& ground);
 
+// Brings quads of the right number to the original's tips and makes them fair. Moves vertices only.
+void finish(QuadMesh& quads, const WorkingMesh& ground);
+
 // The share of quads that fold, or have hardly any area.
 double unsoundShare(QuadMesh& quads, const WorkingMesh& ground);
 

@@ -180,16 +180,17 @@ class Reaching {
 
 }  // namespace
 
-void reachTips(QuadMesh& mesh, const WorkingMesh& ground, int smoothings) {
+bool reachTips(QuadMesh& mesh, const WorkingMesh& ground, int smoothings) {
   const double least = kTip * meanSide(mesh);
   std::vector<Tip> possible = possibleTips(ground.surface());
   Reaching reaching(mesh, ground, least);
   std::vector<Placement> best = mesh.vertices;
   double farthest = kInfinity;
+  bool isMoved = false;
   for (;;) {
     measure(possible, QuadTree(mesh), ground.surface(), least);
     const std::vector<Tip> tips = farthestFirst(possible, mesh.quads.size(), least);
-    if (tips.empty()) return;
+    if (tips.empty()) return isMoved;
     // A round that gains less than a hundredth is followed by others that gain nothing.
     if (!(tips.front().distance < 0.99 * farthest)) break;
     const bool isFirst = std::isinf(farthest);
@@ -197,8 +198,10 @@ void reachTips(QuadMesh& mesh, const WorkingMesh& ground, int smoothings) {
     best = mesh.vertices;
     if (!isFirst) reaching.settle(smoothings);
     reaching.run(tips);
+    isMoved = true;
   }
   mesh.vertices = std::move(best);
+  return isMoved;
 }
 
 }  // namespace remesher

@@ -10,7 +10,8 @@ namespace remesher {
 // Moves a vertex of the quads to each vertex of the original that is farther from them than a share
 // of their sides, the farthest first. The quads around must stay as sound, and the largest distance
 // near them must fall. Repeats, after `smoothings` passes of fitting rectangles, as long as the
-// largest distance of all falls. ground: any mesh on the same original.
-void reachTips(QuadMesh& mesh, const WorkingMesh& ground, int smoothings);
+// largest distance of all falls. False if no vertex is a tip. ground: any mesh on the same
+// original.
+bool reachTips(QuadMesh& mesh, const WorkingMesh& ground, int smoothings);
 
 }  // namespace remesher

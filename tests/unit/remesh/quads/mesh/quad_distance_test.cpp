@@ -18,9 +18,11 @@ TEST_CASE("quad_distance: quads that follow a ball are near, those that leave it
   const OriginalSurface surface = shapes::surfaceOf(shapes::icosphere(9));
   const WorkingMesh ball(surface);
   const QuadDistance distance(ball);
+  const OriginalDistance original(ball);
   const QuadMesh quads = mapToQuads(ball, 200, evenSizes);
   REQUIRE_FALSE(quads.quads.empty());
   CHECK(distance.sidesAway(quads) == 0);
+  CHECK(original.farthest(quads) < 0.1);
   const double side = std::sqrt(4 * std::numbers::pi / double(quads.quads.size()));
 
   QuadMesh half = quads;
@@ -28,6 +30,7 @@ TEST_CASE("quad_distance: quads that follow a ball are near, those that leave it
   for (const Four<Index>& quad : half.quads) isBelow.push_back(half.position(quad[0]).z() < 0);
   dropQuads(half, isBelow);
   CHECK(distance.sidesAway(half) > 0.9 / side);
+  CHECK(original.farthest(half) > 0.9);
 
   QuadMesh across = quads;  // with one more, through the middle of the ball
   const auto farthestTo = [&](const Vec3& direction) {
@@ -39,4 +42,5 @@ TEST_CASE("quad_distance: quads that follow a ball are near, those that leave it
   across.quads.push_back({farthestTo(Vec3::UnitX()), farthestTo(Vec3::UnitY()),
                           farthestTo(-Vec3::UnitX()), farthestTo(-Vec3::UnitY())});
   CHECK(distance.sidesAway(across) > 0.8 / side);
+  CHECK(original.farthest(across) > 0.8);
 }
