@@ -11,6 +11,7 @@ add_library(remesher STATIC EXCLUDE_FROM_ALL ${core_objects})
 set_target_properties(remesher PROPERTIES LINKER_LANGUAGE CXX)
 target_link_libraries(remesher INTERFACE $<INSTALL_INTERFACE:Eigen3::Eigen>)
 target_compile_features(remesher INTERFACE cxx_std_20)
+target_compile_definitions(remesher INTERFACE EIGEN_UNALIGNED_VECTORIZE=0)  # as it is built
 target_include_directories(remesher INTERFACE
   $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/remesher>)
 
