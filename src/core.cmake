@@ -169,6 +169,7 @@ set(small
   src/jobs/checks/crossing_check.cpp
   src/jobs/checks/option_checks.cpp
   src/jobs/checks/precision.cpp
+  src/jobs/checks/repair_room.cpp
   src/jobs/checks/result_check.cpp
   src/jobs/face_budget.cpp
   src/jobs/fewest_vertices.cpp
@@ -192,7 +193,6 @@ set(small
   src/jobs/parts/part_unions.cpp
   src/jobs/parts/quad_diagonals.cpp
   src/jobs/parts/shape_shares.cpp
-  src/jobs/repair_room.cpp
   src/jobs/repair_words.cpp
   src/jobs/scene_run.cpp
   src/measure/distance_bound.cpp

@@ -5,10 +5,10 @@
 #include <string>
 #include <utility>
 
+#include "jobs/checks/repair_room.h"
 #include "jobs/inspected_model.h"
 #include "jobs/part_repair.h"
 #include "jobs/parts/part_joining.h"
-#include "jobs/repair_room.h"
 #include "jobs/run_guards.h"
 #include "measure/edge_report.h"
 #include "mesh/welding.h"

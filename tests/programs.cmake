@@ -62,6 +62,7 @@ add_executable(unit_tests
   tests/unit/jobs/checks/option_checks_test.cpp
   tests/unit/jobs/checks/precision_test.cpp
   tests/unit/jobs/checks/quad_checks_test.cpp
+  tests/unit/jobs/checks/repair_room_test.cpp
   tests/unit/jobs/checks/result_check_test.cpp
   tests/unit/jobs/checks/wanted_check_test.cpp
   tests/unit/jobs/checks/whole_steps_test.cpp
@@ -84,7 +85,6 @@ add_executable(unit_tests
   tests/unit/jobs/parts/quad_diagonals_test.cpp
   tests/unit/jobs/pixel_levels_test.cpp
   tests/unit/jobs/region_run_test.cpp
-  tests/unit/jobs/repair_room_test.cpp
   tests/unit/jobs/thinned_parts_test.cpp
   tests/unit/jobs/touching_parts_test.cpp
   tests/unit/main.cpp

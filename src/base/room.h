@@ -10,6 +10,9 @@ namespace remesher {
 // All bytes that this build can address: 4 GB in WebAssembly.
 inline constexpr double kAddresses = double(std::numeric_limits<std::size_t>::max());
 
+// Peak memory of a repair for each triangle of the input, and of the search for faults.
+inline constexpr double kRepairBytesPerTriangle = 300;
+
 // `10.2 M`, or all digits of a small number.
 std::string inMillions(double count);
 

@@ -12,11 +12,11 @@
 #include "base/error.h"
 #include "geometry/distance_sampler.h"
 #include "geometry/triangle.h"
+#include "jobs/checks/repair_room.h"
 #include "jobs/inspected_parts.h"
 #include "jobs/parts/part_lengths.h"
 #include "jobs/parts/part_places.h"
 #include "jobs/parts/part_report.h"
-#include "jobs/repair_room.h"
 #include "jobs/run_guards.h"
 #include "simplify/thin_out.h"
 

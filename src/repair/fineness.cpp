@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/legible.h"
+#include "base/room.h"
 
 namespace remesher {
 

@@ -11,9 +11,6 @@
 
 namespace remesher {
 
-// Peak memory of a repair for each triangle of the input, and of the search for faults.
-inline constexpr double kRepairBytesPerTriangle = 300;
-
 // The gap of a wrap in percent of the diagonal: the one asked for, or a usual one.
 double usualGap(const RemeshOptions& options);
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "jobs/repair_room.h"
+#include "jobs/checks/repair_room.h"
 
 #include <algorithm>
-
-#include "repair/fineness.h"
 
 namespace remesher {
 namespace {

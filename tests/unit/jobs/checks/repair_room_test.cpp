@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "jobs/repair_room.h"
+#include "jobs/checks/repair_room.h"
 
 #include <doctest/doctest.h>
 
