@@ -24,8 +24,8 @@ struct ThinningLimits {
   double addresses = kAddresses;  // bytes that there are
 };
 
-// NEEDS_THINNING if the parts have no room unless they are thinned out, FAULTS_NOT_SOUGHT if none to
-// be repaired. Throws OUT_OF_MEMORY if not even thinned out.
+// NEEDS_THINNING if the parts have no room unless they are thinned out, FAULTS_NOT_SOUGHT if none
+// to be repaired. Throws OUT_OF_MEMORY if not even thinned out.
 std::vector<Warning> roomWarnings(const std::vector<io::Part>& parts,
                                   const ThinningLimits& limits = {});
 
