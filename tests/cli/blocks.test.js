@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Files that are read in blocks, never whole: binary PLY and STL, also from streams, pipes and .gz;
-// texts (an OBJ in blocks, too), of which JavaScript holds only the beginning. Read whole, they give the same bytes.
+// texts, an OBJ in blocks, of which JavaScript holds only the beginning. Read whole, they give the
+// same bytes.
 import assert from 'node:assert/strict';
 import { execFileSync, spawnSync } from 'node:child_process';
 import {

@@ -44,7 +44,8 @@ function needsOf(faults) {
 }
 
 /** Why no faults are shown yet, `faults.KIND` in the texts; limit: a number of vertices.
- * @typedef {{ kind: 'sought' | 'large' | 'skipped' | 'room' | 'failed', limit?: number }} FaultNote */
+ * @typedef {{ kind: 'sought' | 'large' | 'skipped' | 'room' | 'failed',
+ *   limit?: number }} FaultNote */
 
 /** @param {FaultNote | null} note @param {() => void} onSeek */
 export function showFaultNote(note, onSeek) {

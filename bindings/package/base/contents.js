@@ -28,8 +28,8 @@ export function isLeftToCore(begin) {
   return !isZip && !isGzip && !isGltf(begin);
 }
 
-/** Whether the core reads a file in blocks, without ever holding all of it: an OBJ, a binary STL, as
- * long as its number of facets says, or a binary PLY.
+/** Whether the core reads a file in blocks, without ever holding all of it: an OBJ, a binary STL,
+ * as long as its number of facets says, or a binary PLY.
  * @param {Uint8Array} begin @param {number} size */
 export function isReadInBlocks(begin, size) {
   if (isObj(begin)) return true;

@@ -69,7 +69,8 @@ async function drain(handle, path) {
 /** @param {string} path */
 function tooLarge(path) {
   return unreadable(path,
-    `it has more than ${largest} bytes (2 GiB), and only OBJ, binary PLY and STL are read in blocks`,
+    `it has more than ${largest} bytes (2 GiB), and only OBJ, binary PLY and STL are read in `
+      + 'blocks',
     'Convert it to binary PLY, or give the model in parts.');
 }
 
