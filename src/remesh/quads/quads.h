@@ -20,7 +20,7 @@ struct MadeQuads {
   std::size_t parts = 0;  // connected parts
   std::vector<PairedPart> paired = {};
   std::size_t collapsed = 0;  // quads taken out to reach the number
-  double away = 0;  // in sides, of a few vertices only; 0 if they are near
+  double away = 0;            // in sides, of a few vertices only; 0 if they are near
 };
 
 // Makes even, compact triangle meshes of about so many vertices, all on the same surface.
