@@ -70,16 +70,16 @@ struct Domain {
 
 struct Extracted {
   QuadMesh quads;
-  Eigen::VectorXd wholes = {};  // the map's integer variables
-  double length = 0;            // and its scale
-  double faults = 0;            // curves that are not followed, and unsound quads
+  Eigen::VectorXd integers = {};  // the map's integer variables
+  double length = 0;              // and its scale
+  double faults = 0;              // curves that are not followed, and unsound quads
   // By how much χ differs, and 1 if the kind of surface does, and 1 if the border is torn.
   std::size_t lost = 1;
 };
 // The quads of a map.
 Extracted extracted(const Domain& domain, const SeamlessMap& map) {
   const WorkingMesh& part = domain.part;
-  Extracted made{extractQuads(domain.simpler.mesh, map), map.wholes, map.length};
+  Extracted made{extractQuads(domain.simpler.mesh, map), map.integers, map.length};
   QuadMesh& quads = made.quads;
   dropUnsound(quads);
   if (quads.quads.empty()) return made;
@@ -269,7 +269,7 @@ void closeLoops(Extracted& made, const Domain& domain, const MapMaker& maker, do
   if (made.faults > 0 || winding <= kWinding || maker.isSpent()) return;
   const std::size_t irregular = irregularCount(made.quads);
   SeamlessMap start;
-  start.wholes = made.wholes;
+  start.integers = made.integers;
   start.length = made.length;
   const std::vector<Eigen::VectorXd> found =
       maker.withShorterLoops(start, vertices - double(domain.simpler.added), kCountTolerance);

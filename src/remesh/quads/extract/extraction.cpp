@@ -15,9 +15,9 @@ namespace {
 
 // The way to a corner bends at a point of the square that hardly any line through corners meets.
 // Its coordinates, as parts of the square's side: along the way to the corner, and to the left.
-constexpr Whole kForth = kUnit / 5 + 1234, kLeft = kUnit / 17 + 321;
+constexpr Fixed kForth = kUnit / 5 + 1234, kLeft = kUnit / 17 + 321;
 
-Whole floorOf(Whole x) { return x >= 0 ? x / kUnit : -((-x + kUnit - 1) / kUnit); }
+Fixed floorOf(Fixed x) { return x >= 0 ? x / kUnit : -((-x + kUnit - 1) / kUnit); }
 
 class MapExtraction {
  public:
@@ -40,8 +40,8 @@ class MapExtraction {
       low = {std::min(low.u, p.u), std::min(low.v, p.v)};
       high = {std::max(high.u, p.u), std::max(high.v, p.v)};
     }
-    for (Whole i = floorOf(low.u); i * kUnit <= high.u; ++i)
-      for (Whole k = floorOf(low.v); k * kUnit <= high.v; ++k) {
+    for (Fixed i = floorOf(low.u); i * kUnit <= high.u; ++i)
+      for (Fixed k = floorOf(low.v); k * kUnit <= high.v; ++k) {
         const MapPlace middle{f, {i * kUnit + kUnit / 2, k * kUnit + kUnit / 2}};
         if (!walk_.isIn(middle)) continue;
         const MapSpot spot = walk_.spot(middle);
@@ -50,7 +50,7 @@ class MapExtraction {
   }
 
   void addSquare(const MapPlace& middle) {
-    constexpr Whole kHalf = kUnit / 2;
+    constexpr Fixed kHalf = kUnit / 2;
     const Four<MapPoint> ways = {
         {{-kHalf, -kHalf}, {kHalf, -kHalf}, {kHalf, kHalf}, {-kHalf, kHalf}}};
     Four<Index> quad{};
@@ -63,7 +63,7 @@ class MapExtraction {
   }
 
   Index cornerOf(const MapPlace& middle, const MapPoint& way) {
-    const Whole u = way.u > 0 ? 1 : -1, v = way.v > 0 ? 1 : -1;
+    const Fixed u = way.u > 0 ? 1 : -1, v = way.v > 0 ? 1 : -1;
     const MapPoint bend = {u * kForth - v * kLeft, v * kForth + u * kLeft};
     const auto first = walk_.go(middle, middle.point + bend);
     if (!first) return kNone;
@@ -122,7 +122,7 @@ class MapExtraction {
   const WorkingMesh& mesh_;
   const SeamlessMap& map_;
   const MapWalk walk_;
-  std::map<std::tuple<Index, Index, Index, Whole, Whole>, Index> known_;
+  std::map<std::tuple<Index, Index, Index, Fixed, Fixed>, Index> known_;
   QuadMesh result_;
 };
 

@@ -46,7 +46,7 @@ class LoopSearch {
     const SeamlessSystem& system = input.system;
     const auto reals = Eigen::Index(system.realCount());
     const Eigen::MatrixXd response = rounding.response();
-    moves_ = Eigen::MatrixXd::Zero(2 * Eigen::Index(system.copyCount()), start.wholes.size());
+    moves_ = Eigen::MatrixXd::Zero(2 * Eigen::Index(system.copyCount()), start.integers.size());
     for (Index i = 0; i < system.copyCount(); ++i)
       for (std::size_t axis = 0; axis < 2; ++axis)
         for (const auto& [variable, x] : system.sumsOf(i)[axis]) {
@@ -59,10 +59,10 @@ class LoopSearch {
   }
 
   std::vector<Eigen::VectorXd> run() {
-    State now{start_.wholes, placesOf(rounding_.withReals(start_.wholes, factor_))};
+    State now{start_.integers, placesOf(rounding_.withReals(start_.integers, factor_))};
     judge(now);
     mostRisen_ = now.risen + kMostRisen * goal_.vertices;
-    shortSums_ = rounding_.shortSums(now.wholes);
+    shortSums_ = rounding_.shortSums(now.integers);
     lookForPasses(now);
     double least = now.cost;
     std::vector<Eigen::VectorXd> found;
@@ -73,10 +73,10 @@ class LoopSearch {
       const double done = std::max(double(i) / kMostChanges, double(measured) / kMostMeasured);
       const double most = now.cost + 2 * kHeat * (1 - done) * random();
       State next;
-      next.wholes = changed(now);
-      next.risen = rounding_.risen(next.wholes, factor_);
+      next.integers = changed(now);
+      next.risen = rounding_.risen(next.integers, factor_);
       if (!isAllowed(next, now, most)) continue;
-      next.places = moved(now, next.wholes);
+      next.places = moved(now, next.integers);
       judge(next);
       ++measured;
       if (next.cost > most) continue;
@@ -84,7 +84,7 @@ class LoopSearch {
       if (++taken % kBeforeNewPasses == 0) lookForPasses(now);
       if (now.cost >= least || missed(now) > goal_.slack) continue;
       least = now.cost;
-      found.push_back(now.wholes);
+      found.push_back(now.integers);
       isEnough = now.loops.longest <= kShortLoop && now.loops.selfCrossing <= kFewCrossings;
     }
     std::reverse(found.begin(), found.end());
@@ -95,7 +95,7 @@ class LoopSearch {
   using Places = std::vector<std::array<double, 2>>;
 
   struct State {
-    Eigen::VectorXd wholes;
+    Eigen::VectorXd integers;
     Places places = {};  // of the copies
     MapLoops loops = {};
     double count = 0, risen = 0, cost = 0;
@@ -118,10 +118,10 @@ class LoopSearch {
     return places;
   }
 
-  Places moved(const State& state, const Eigen::VectorXd& wholes) const {
+  Places moved(const State& state, const Eigen::VectorXd& integers) const {
     Places places = state.places;
-    for (Eigen::Index c = 0; c < wholes.size(); ++c) {
-      const double change = wholes[c] - state.wholes[c];
+    for (Eigen::Index c = 0; c < integers.size(); ++c) {
+      const double change = integers[c] - state.integers[c];
       if (change == 0) continue;
       const double* move = moves_.col(c).data();
       for (std::array<double, 2>& place : places)
@@ -134,7 +134,7 @@ class LoopSearch {
   void judge(State& state) const {
     constexpr double kNearlyMissed = 0.8, kPerMissed = 20;
     const MapLoops& loops = state.loops = meter_.measure(state.places);
-    state.risen = rounding_.risen(state.wholes, factor_);
+    state.risen = rounding_.risen(state.integers, factor_);
     state.count = double(eulerCharacteristic(input_.mesh.mesh())) + loops.area + loops.boundary / 2;
     state.cost = loops.squares + (loops.selfCrossing + loops.longest) / 2 +
                  kDistortion * state.risen / goal_.vertices +
@@ -146,30 +146,30 @@ class LoopSearch {
     constexpr double kEitherWay = 0.3;
     const auto which = std::size_t(random() * double(passes_.size()));
     const IntegerSum& across = passes_[which].across;
-    const double now = rounding_.valueOf(across, state.wholes);
+    const double now = rounding_.valueOf(across, state.integers);
     const bool isUp = now < -0.5 || (now < 0.5 && rounding_.relaxed(across, factor_) > 0);
     const bool isEither = random() < kEitherWay, isOther = random() < 0.5;
     const int step = (isEither ? isOther : isUp) ? 1 : -1;
-    return rounding_.nudged(state.wholes, factor_, {across, int(std::lround(now)) + step});
+    return rounding_.nudged(state.integers, factor_, {across, int(std::lround(now)) + step});
   }
 
   bool isAllowed(const State& next, const State& now, double most) const {
     return next.risen <= mostRisen_ && kDistortion * next.risen / goal_.vertices <= most &&
-           next.wholes != now.wholes && rounding_.shortSums(next.wholes) <= shortSums_ &&
-           !areTogether(next.wholes);
+           next.integers != now.integers && rounding_.shortSums(next.integers) <= shortSums_ &&
+           !areTogether(next.integers);
   }
 
   // Whether two singular vertices are at the same place.
-  bool areTogether(const Eigen::VectorXd& wholes) const {
+  bool areTogether(const Eigen::VectorXd& integers) const {
     const auto isZero = [&](const IntegerSum& sum) {
-      return std::abs(rounding_.valueOf(sum, wholes)) < 0.5;
+      return std::abs(rounding_.valueOf(sum, integers)) < 0.5;
     };
     return std::any_of(watched_.begin(), watched_.end(),
                        [&](const auto& sums) { return isZero(sums.first) && isZero(sums.second); });
   }
 
   void lookForPasses(const State& state) {
-    const SeamlessMap map = start_.mapOf(rounding_.withReals(state.wholes, factor_));
+    const SeamlessMap map = start_.mapOf(rounding_.withReals(state.integers, factor_));
     passes_ = nearPasses(input_, map, {kMostAcross, kMostAlong});
     for (const NearPass& pass : passes_)
       if (pass.quads < kWatched) watched_.insert({pass.across, pass.along});
@@ -193,7 +193,7 @@ class LoopSearch {
 
 std::vector<Eigen::VectorXd> searchShorterLoops(const LineInput& input, const Rounding& rounding,
                                                 const LoopStart& start, const LoopGoal& goal) {
-  if (2.0 * input.system.copyCount() * double(start.wholes.size()) > kMostMoves) {
+  if (2.0 * input.system.copyCount() * double(start.integers.size()) > kMostMoves) {
     fires("quads: loops are not shortened");
     return {};
   }

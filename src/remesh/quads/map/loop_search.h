@@ -17,8 +17,8 @@ struct LoopGoal {
 };
 
 struct LoopStart {
-  Eigen::VectorXd wholes;  // the integer variables of a map
-  double length = 0;       // of its quads
+  Eigen::VectorXd integers;  // the integer variables of a map
+  double length = 0;         // of its quads
   std::function<SeamlessMap(const Eigen::VectorXd& values)> mapOf;
 };
 

@@ -96,14 +96,14 @@ class Minimum {
 };
 
 // The integer variables, and what is wanted of the required sums, 0 for nothing.
-struct Rounding::Wholes {
+struct Rounding::Integers {
   Eigen::VectorXd relaxed, values;
   std::vector<int> wanted;
 };
 
 Rounding::Rounding(const Sparse& matrix, const Eigen::VectorXd& right, Eigen::Index reals)
-    : reals_(reals), wholes_(right.size() - reals), order_(sparseOrder(matrix, reals)) {
-  all_.resize(std::size_t(wholes_));
+    : reals_(reals), integers_(right.size() - reals), order_(sparseOrder(matrix, reals)) {
+  all_.resize(std::size_t(integers_));
   std::iota(all_.begin(), all_.end(), 0);
   const auto placeOf = [&](Eigen::Index i) { return i < reals ? Eigen::Index(order_[i]) : i; };
   std::vector<Eigen::Triplet<double>> entries, coupling;
@@ -115,17 +115,17 @@ Rounding::Rounding(const Sparse& matrix, const Eigen::VectorXd& right, Eigen::In
   });
   Sparse ordered(right.size(), right.size());
   ordered.setFromTriplets(entries.begin(), entries.end());
-  coupling_.resize(reals, wholes_);
+  coupling_.resize(reals, integers_);
   coupling_.setFromTriplets(coupling.begin(), coupling.end());
   factor_.compute(ordered);
   if (factor_.info() != Eigen::Success) return;
   aim(right);
   // The part of A that is left without the reals stands at the end of the factor.
-  Eigen::MatrixXd lower = Eigen::MatrixXd::Identity(wholes_, wholes_);
+  Eigen::MatrixXd lower = Eigen::MatrixXd::Identity(integers_, integers_);
   forEachEntry(Sparse(factor_.matrixL()), [&](auto row, auto column, double value) {
     if (column >= reals && row >= reals) lower(row - reals, column - reals) = value;
   });
-  matrix_ = lower * factor_.vectorD().tail(wholes_).asDiagonal() * lower.transpose();
+  matrix_ = lower * factor_.vectorD().tail(integers_).asDiagonal() * lower.transpose();
   inverse_ = inverseOf(matrix_);
   isSolvable_ = inverse_.allFinite() && relaxed_.allFinite();
 }
@@ -133,7 +133,7 @@ Rounding::Rounding(const Sparse& matrix, const Eigen::VectorXd& right, Eigen::In
 void Rounding::aim(const Eigen::VectorXd& right) {
   right_ = right;
   for (Eigen::Index i = 0; i < reals_; ++i) right_[order_[i]] = right[i];
-  relaxed_ = Eigen::VectorXd(factor_.solve(right_)).tail(wholes_);
+  relaxed_ = Eigen::VectorXd(factor_.solve(right_)).tail(integers_);
 }
 
 // Solves with the part of the factor that belongs to the reals.
@@ -153,15 +153,16 @@ void Rounding::solveReals(Right& right) const {
              [&](Eigen::Index row, double value) { right.row(i - 1) -= value * right.row(row); });
 }
 
-double Rounding::valueOf(const IntegerSum& terms, const Eigen::VectorXd& wholes) const {
+double Rounding::valueOf(const IntegerSum& terms, const Eigen::VectorXd& integers) const {
   double sum = 0;
-  for (const auto& [variable, coefficient] : terms) sum += coefficient * wholes[variable - reals_];
+  for (const auto& [variable, coefficient] : terms)
+    sum += coefficient * integers[variable - reals_];
   return sum;
 }
 
 // The variables of a sum and those that move most with it, beside how far they move by chance.
 std::vector<int> Rounding::allNear(const IntegerSum& sum, std::size_t count) const {
-  Eigen::VectorXd along = Eigen::VectorXd::Zero(wholes_);
+  Eigen::VectorXd along = Eigen::VectorXd::Zero(integers_);
   for (const auto& [variable, coefficient] : sum)
     along += coefficient * inverse_.col(variable - reals_);
   along.array() /= inverse_.diagonal().array().sqrt();
@@ -174,30 +175,30 @@ std::vector<int> Rounding::allNear(const IntegerSum& sum, std::size_t count) con
 }
 
 // About the multiplications for rounding so many variables.
-double Rounding::workFor(const Wholes& wholes, std::size_t some) const {
-  const auto own = double(some), all = double(wholes_);
-  const auto wanted =
-      std::count_if(wholes.wanted.begin(), wholes.wanted.end(), [](int want) { return want != 0; });
+double Rounding::workFor(const Integers& integers, std::size_t some) const {
+  const auto own = double(some), all = double(integers_);
+  const auto wanted = std::count_if(integers.wanted.begin(), integers.wanted.end(),
+                                    [](int want) { return want != 0; });
   const double pulled = double(wanted) * own * own / 2;
   return pulled + (2 * own > all ? all * all * all / 3 : own * own * own + own * all);
 }
 
 // Of some variables, in their order, while the others stay. Few others are fixed one by one.
-Minimum Rounding::minimumOf(const Wholes& wholes, const std::vector<int>& some) const {
-  if (2 * Eigen::Index(some.size()) > wholes_) {
-    Minimum minimum(all_, wholes.relaxed, inverse_);
-    for (Eigen::Index i = wholes_; i > 0; --i)
+Minimum Rounding::minimumOf(const Integers& integers, const std::vector<int>& some) const {
+  if (2 * Eigen::Index(some.size()) > integers_) {
+    Minimum minimum(all_, integers.relaxed, inverse_);
+    for (Eigen::Index i = integers_; i > 0; --i)
       if (!std::binary_search(some.begin(), some.end(), int(i - 1)))
-        minimum.fix(i - 1, wholes.values[i - 1]);
+        minimum.fix(i - 1, integers.values[i - 1]);
     return minimum;
   }
-  const Eigen::VectorXd off = wholes.values - wholes.relaxed;
+  const Eigen::VectorXd off = integers.values - integers.relaxed;
   const auto count = Eigen::Index(some.size());
   Eigen::MatrixXd own(count, count);
   Eigen::VectorXd slope(count), values(count);
   for (Eigen::Index i = 0; i < count; ++i) {
     const int at = some[std::size_t(i)];
-    values[i] = wholes.values[at];
+    values[i] = integers.values[at];
     slope[i] = matrix_.col(at).dot(off);
     for (Eigen::Index k = 0; k < count; ++k) own(k, i) = matrix_(some[std::size_t(k)], at);
   }
@@ -207,9 +208,9 @@ Minimum Rounding::minimumOf(const Wholes& wholes, const std::vector<int>& some) 
 }
 
 // Pulls a sum to what is wanted of it, by the variables of the minimum.
-void Rounding::pullOne(Minimum& minimum, const Wholes& wholes, const IntegerSum& sum, int wanted,
-                       double yield) const {
-  std::vector<int> places(std::size_t(wholes_), -1);
+void Rounding::pullOne(Minimum& minimum, const Integers& integers, const IntegerSum& sum,
+                       int wanted, double yield) const {
+  std::vector<int> places(std::size_t(integers_), -1);
   for (Eigen::Index i = 0; i < minimum.count(); ++i)
     places[std::size_t(minimum.variable(i))] = int(i);
   const auto placeOf = [&](const auto& term) { return places[term.first - Index(reals_)]; };
@@ -219,7 +220,7 @@ void Rounding::pullOne(Minimum& minimum, const Wholes& wholes, const IntegerSum&
   Eigen::VectorXd along = Eigen::VectorXd::Zero(minimum.count());
   for (const auto& term : sum) {
     const int place = placeOf(term);
-    lack -= term.second * (place < 0 ? wholes.values[term.first - reals_] : minimum.value(place));
+    lack -= term.second * (place < 0 ? integers.values[term.first - reals_] : minimum.value(place));
     if (place >= 0) along += term.second * minimum.column(place);
   }
   for (const auto& term : sum)
@@ -227,20 +228,22 @@ void Rounding::pullOne(Minimum& minimum, const Wholes& wholes, const IntegerSum&
   minimum.move(along, lack, spread);
 }
 
-void Rounding::pull(Minimum& minimum, const Wholes& wholes, std::span<const Wish> wishes) const {
+void Rounding::pull(Minimum& minimum, const Integers& integers,
+                    std::span<const Wish> wishes) const {
   // One over the weight, beside weights of about 1.
   constexpr double kYield = 1e-3, kHardly = 1e-4;
   for (std::size_t k = 0; k < required_.size(); ++k)
-    if (wholes.wanted[k] != 0) pullOne(minimum, wholes, required_[k], wholes.wanted[k], kYield);
-  for (const Wish& wish : wishes) pullOne(minimum, wholes, wish.sum, wish.value, kHardly);
+    if (integers.wanted[k] != 0)
+      pullOne(minimum, integers, required_[k], integers.wanted[k], kYield);
+  for (const Wish& wish : wishes) pullOne(minimum, integers, wish.sum, wish.value, kHardly);
 }
 
 // Rounds these variables, the one nearest to an integer first; the others move to the new minimum,
 // and so on.
-void Rounding::round(Wholes& wholes, const std::vector<int>& some,
+void Rounding::round(Integers& integers, const std::vector<int>& some,
                      std::span<const Wish> wishes) const {
-  Minimum minimum = minimumOf(wholes, some);
-  pull(minimum, wholes, wishes);
+  Minimum minimum = minimumOf(integers, some);
+  pull(minimum, integers, wishes);
   while (minimum.count() > 0) {
     Eigen::Index nearest = 0;
     double least = 1;
@@ -251,20 +254,20 @@ void Rounding::round(Wholes& wholes, const std::vector<int>& some,
       nearest = i;
     }
     const double whole = std::round(minimum.value(nearest));
-    wholes.values[minimum.variable(nearest)] = whole;
+    integers.values[minimum.variable(nearest)] = whole;
     minimum.fix(nearest, whole);
   }
 }
 
 // Wants more of the sums that are too small, and tells the variables near them.
-std::vector<int> Rounding::pullShort(Wholes& wholes) const {
+std::vector<int> Rounding::pullShort(Integers& integers) const {
   // Some sums cannot all be 1: a sum is asked to be so much at most.
   constexpr int kFarthestPull = 4;
   constexpr std::size_t kNear = 40;
   std::vector<int> near;
   for (std::size_t k = 0; k < required_.size(); ++k) {
-    int& wanted = wholes.wanted[k];
-    if (valueOf(required_[k], wholes.values) >= 1 || wanted == kFarthestPull) continue;
+    int& wanted = integers.wanted[k];
+    if (valueOf(required_[k], integers.values) >= 1 || wanted == kFarthestPull) continue;
     ++wanted;
     const std::vector<int> around = allNear(required_[k], kNear * std::size_t(wanted));
     near.insert(near.end(), around.begin(), around.end());
@@ -277,32 +280,32 @@ std::vector<int> Rounding::pullShort(Wholes& wholes) const {
 // Pulls the sums that are too small after rounding, and rounds the variables near them anew, until
 // none is. Each round lets others fall below 1, or those pulled before: they are pulled farther,
 // and more variables follow.
-Eigen::VectorXd Rounding::roundedWholes(double factor) const {
+Eigen::VectorXd Rounding::roundedIntegers(double factor) const {
   const Eigen::VectorXd relaxed = factor * relaxed_;
-  Wholes wholes{relaxed, relaxed, std::vector<int>(required_.size(), 0)};
+  Integers integers{relaxed, relaxed, std::vector<int>(required_.size(), 0)};
   for (std::size_t k = 0; k < required_.size(); ++k)  // those that would become 0
-    wholes.wanted[k] = std::round(valueOf(required_[k], relaxed)) < 1;
+    integers.wanted[k] = std::round(valueOf(required_[k], relaxed)) < 1;
   double work = 0;
-  for (std::vector<int> some = all_; !some.empty(); some = pullShort(wholes)) {
+  for (std::vector<int> some = all_; !some.empty(); some = pullShort(integers)) {
     if (work > kMostWork) {
       fires("quads: rounding ends early");
       break;
     }
-    work += workFor(wholes, some.size());
-    round(wholes, some, {});
+    work += workFor(integers, some.size());
+    round(integers, some, {});
   }
   work_ += work;
-  return wholes.values;
+  return integers.values;
 }
 
 // Several columns at once: each takes the same way through the factor.
 Eigen::MatrixXd Rounding::response() const {
   constexpr Eigen::Index kAtOnce = 8;
   using Block = Eigen::Matrix<double, Eigen::Dynamic, kAtOnce, Eigen::RowMajor>;
-  Eigen::MatrixXd result(reals_, wholes_);
+  Eigen::MatrixXd result(reals_, integers_);
   Block block(reals_, kAtOnce);
-  for (Eigen::Index first = 0; first < wholes_; first += kAtOnce) {
-    const Eigen::Index count = std::min(kAtOnce, wholes_ - first);
+  for (Eigen::Index first = 0; first < integers_; first += kAtOnce) {
+    const Eigen::Index count = std::min(kAtOnce, integers_ - first);
     block.setZero();
     for (Eigen::Index c = 0; c < count; ++c) block.col(c) = -coupling_.col(first + c);
     solveReals(block);
@@ -312,39 +315,39 @@ Eigen::MatrixXd Rounding::response() const {
   return result;
 }
 
-std::size_t Rounding::shortSums(const Eigen::VectorXd& wholes) const {
+std::size_t Rounding::shortSums(const Eigen::VectorXd& integers) const {
   std::size_t count = 0;
-  for (const IntegerSum& sum : required_) count += valueOf(sum, wholes) < 0.5;
+  for (const IntegerSum& sum : required_) count += valueOf(sum, integers) < 0.5;
   return count;
 }
 
 Eigen::VectorXd Rounding::nudged(const Eigen::VectorXd& now, double factor,
                                  const Wish& wish) const {
   constexpr std::size_t kMoved = 12;
-  Wholes wholes{factor * relaxed_, now, std::vector<int>(required_.size(), 0)};
+  Integers integers{factor * relaxed_, now, std::vector<int>(required_.size(), 0)};
   std::vector<int> some = allNear(wish.sum, kMoved);
   std::sort(some.begin(), some.end());
   some.erase(std::unique(some.begin(), some.end()), some.end());
-  round(wholes, some, {&wish, 1});
-  return wholes.values;
+  round(integers, some, {&wish, 1});
+  return integers.values;
 }
 
-double Rounding::risen(const Eigen::VectorXd& wholes, double factor) const {
-  const Eigen::VectorXd off = wholes - factor * relaxed_;
+double Rounding::risen(const Eigen::VectorXd& integers, double factor) const {
+  const Eigen::VectorXd off = integers - factor * relaxed_;
   return off.dot(matrix_ * off) / 2;
 }
 
-Eigen::VectorXd Rounding::withReals(const Eigen::VectorXd& wholes, double factor) const {
-  Eigen::VectorXd reals = factor * right_.head(reals_) - coupling_ * wholes;
+Eigen::VectorXd Rounding::withReals(const Eigen::VectorXd& integers, double factor) const {
+  Eigen::VectorXd reals = factor * right_.head(reals_) - coupling_ * integers;
   solveReals(reals);
   Eigen::VectorXd result(right_.size());
   for (Eigen::Index i = 0; i < reals_; ++i) result[i] = reals[order_[i]];
-  result.tail(wholes_) = wholes;
+  result.tail(integers_) = integers;
   return result;
 }
 
 Eigen::VectorXd Rounding::rounded(double factor) const {
-  return withReals(roundedWholes(factor), factor);
+  return withReals(roundedIntegers(factor), factor);
 }
 
 }  // namespace remesher

@@ -42,22 +42,22 @@ class Rounding {
   Eigen::VectorXd rounded(double factor) const;
 
   // The solution with these integer variables.
-  Eigen::VectorXd withReals(const Eigen::VectorXd& wholes, double factor) const;
+  Eigen::VectorXd withReals(const Eigen::VectorXd& integers, double factor) const;
 
   // How the reals of a solution move with each integer variable.
   Eigen::MatrixXd response() const;
 
   // Gives a sum another value: the integer variables that move most with it are rounded anew.
-  Eigen::VectorXd nudged(const Eigen::VectorXd& wholes, double factor, const Wish& wish) const;
+  Eigen::VectorXd nudged(const Eigen::VectorXd& integers, double factor, const Wish& wish) const;
 
   // By how much the quadratic is larger than its minimum over real variables.
-  double risen(const Eigen::VectorXd& wholes, double factor) const;
+  double risen(const Eigen::VectorXd& integers, double factor) const;
 
   // The number of required sums that are too small.
-  std::size_t shortSums(const Eigen::VectorXd& wholes) const;
+  std::size_t shortSums(const Eigen::VectorXd& integers) const;
 
   // A sum of integer variables, as they are and before rounding.
-  double valueOf(const IntegerSum& sum, const Eigen::VectorXd& wholes) const;
+  double valueOf(const IntegerSum& sum, const Eigen::VectorXd& integers) const;
   double relaxed(const IntegerSum& sum, double factor) const {
     return factor * valueOf(sum, relaxed_);
   }
@@ -69,27 +69,28 @@ class Rounding {
   using Factor =
       Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int>>;
 
-  struct Wholes;
+  struct Integers;
   std::vector<int> allNear(const IntegerSum& sum, std::size_t count) const;
-  double workFor(const Wholes& wholes, std::size_t some) const;
-  Minimum minimumOf(const Wholes& wholes, const std::vector<int>& some) const;
-  void pullOne(Minimum& minimum, const Wholes& wholes, const IntegerSum& sum, int wanted,
+  double workFor(const Integers& integers, std::size_t some) const;
+  Minimum minimumOf(const Integers& integers, const std::vector<int>& some) const;
+  void pullOne(Minimum& minimum, const Integers& integers, const IntegerSum& sum, int wanted,
                double yield) const;
-  void pull(Minimum& minimum, const Wholes& wholes, std::span<const Wish> wishes) const;
-  void round(Wholes& wholes, const std::vector<int>& some, std::span<const Wish> wishes) const;
-  std::vector<int> pullShort(Wholes& wholes) const;
-  Eigen::VectorXd roundedWholes(double factor) const;
+  void pull(Minimum& minimum, const Integers& integers, std::span<const Wish> wishes) const;
+  void round(Integers& integers, const std::vector<int>& some, std::span<const Wish> wishes) const;
+  std::vector<int> pullShort(Integers& integers) const;
+  Eigen::VectorXd roundedIntegers(double factor) const;
   template <class Right>
   void solveReals(Right& right) const;
 
-  Eigen::Index reals_, wholes_;
+  Eigen::Index reals_, integers_;
   std::vector<int> all_;   // the integer variables, from 0 on
   Eigen::VectorXi order_;  // of the reals: where each stands in the factor
   Factor factor_;
-  Eigen::SparseMatrix<double> coupling_;  // rows of reals in the factor's order, columns of wholes
-  Eigen::VectorXd right_;                 // in the factor's order
-  Eigen::MatrixXd matrix_, inverse_;      // of the integer variables, without the reals
-  Eigen::VectorXd relaxed_;               // the integer variables before rounding
+  Eigen::SparseMatrix<double>
+      coupling_;                      // rows of reals in the factor's order, columns of integers
+  Eigen::VectorXd right_;             // in the factor's order
+  Eigen::MatrixXd matrix_, inverse_;  // of the integer variables, without the reals
+  Eigen::VectorXd relaxed_;           // the integer variables before rounding
   std::vector<IntegerSum> required_;
   bool isSolvable_ = false;
   mutable double work_ = 0;

@@ -17,7 +17,7 @@ namespace remesher {
 namespace {
 
 // Dense work grows with the third power: this many variables take about a second per map.
-constexpr Index kMostWholes = 1500;
+constexpr Index kMostIntegers = 1500;
 // Multiplications of all maps of a surface. A hundred integer variables take a thousandth of it: it
 // limits surfaces of many curves and handles only.
 constexpr double kMostMapWork = 4e9;
@@ -71,7 +71,7 @@ MapMaker::MapMaker(const WorkingMesh& mesh, const CrossField& field, FaceData<do
       singular_(quarterIndices(field, mesh, frames_)),
       cut_(cutOpen(mesh, field, singular_)),
       system_({mesh, frames_, cut_, singular_}) {
-  if (!system_.isSolvable() || system_.count() - system_.realCount() > kMostWholes) return;
+  if (!system_.isSolvable() || system_.count() - system_.realCount() > kMostIntegers) return;
   const auto [matrix, right] = system_.quadratic(sizes_);
   rounding_ = std::make_unique<Rounding>(matrix, right, system_.realCount());
   if (rounding_->isSolvable())
@@ -96,42 +96,42 @@ std::optional<SeamlessMap> MapMaker::map(double length, std::span<const double> 
   return map;
 }
 
-std::optional<SeamlessMap> MapMaker::mapOf(const Eigen::VectorXd& wholes, double length) const {
-  return unfolded(rounding_->withReals(wholes, 1 / length), length);
+std::optional<SeamlessMap> MapMaker::mapOf(const Eigen::VectorXd& integers, double length) const {
+  return unfolded(rounding_->withReals(integers, 1 / length), length);
 }
 
 std::vector<Eigen::VectorXd> MapMaker::withShorterLoops(const SeamlessMap& map, double vertices,
                                                         double slack) const {
-  const auto mapOf = [&](const Eigen::VectorXd& values) { return inWholes(values); };
+  const auto mapOf = [&](const Eigen::VectorXd& values) { return inIntegers(values); };
   return searchShorterLoops({mesh_, singular_, cut_, system_}, *rounding_,
-                            {map.wholes, map.length, mapOf}, {vertices, slack});
+                            {map.integers, map.length, mapOf}, {vertices, slack});
 }
 
 std::optional<SeamlessMap> MapMaker::unfolded(Eigen::VectorXd values, double length) const {
   untangle(values, {mesh_, frames_, system_, sizes_, length});
   if (!areBounded(values)) return {};
-  SeamlessMap map = inWholes(values);
+  SeamlessMap map = inIntegers(values);
   if (!isExact(map)) return {};
-  map.wholes = values.tail(values.size() - Eigen::Index(system_.realCount()));
+  map.integers = values.tail(values.size() - Eigen::Index(system_.realCount()));
   map.length = length;
   return map;
 }
 
 // Real variables become odd integers, in units of 1/kUnit: then no corner is in the middle between
 // two integers, where walks over the map begin.
-SeamlessMap MapMaker::inWholes(const Eigen::VectorXd& values) const {
-  std::vector<Whole> wholes;
+SeamlessMap MapMaker::inIntegers(const Eigen::VectorXd& values) const {
+  std::vector<Fixed> integers;
   for (Index i = 0; i < Index(values.size()); ++i)
-    wholes.push_back(i < system_.realCount()
-                         ? 2 * Whole(std::floor(values[i] * (double(kUnit) / 2))) + 1
-                         : Whole(std::llround(values[i])) * kUnit);
+    integers.push_back(i < system_.realCount()
+                           ? 2 * Fixed(std::floor(values[i] * (double(kUnit) / 2))) + 1
+                           : Fixed(std::llround(values[i])) * kUnit);
   const HalfedgeMesh& m = mesh_.mesh();
   SeamlessMap map;
   map.corners = HalfedgeData<MapPoint>(m.halfedgeCapacity());
   map.turn = cut_.turn;
   const auto valueOf = [&](const IntegerSum& sum) {
-    Whole value = 0;
-    for (const auto& [variable, coefficient] : sum) value += coefficient * wholes[variable];
+    Fixed value = 0;
+    for (const auto& [variable, coefficient] : sum) value += coefficient * integers[variable];
     return value;
   };
   for (Index h = 0; h < m.halfedgeCapacity(); ++h) {

@@ -13,13 +13,13 @@
 
 namespace remesher {
 
-using Whole = std::int64_t;
-inline constexpr Whole kUnit = Whole{1} << 20;
+using Fixed = std::int64_t;  // in units of 1/kUnit
+inline constexpr Fixed kUnit = Fixed{1} << 20;
 // Products of two such lengths, and sums of a few of them, fit into a whole number.
-inline constexpr Whole kLongest = Whole{1} << 29;
+inline constexpr Fixed kLongest = Fixed{1} << 29;
 
 struct MapPoint {
-  Whole u = 0, v = 0;
+  Fixed u = 0, v = 0;
   auto operator<=>(const MapPoint&) const = default;
 };
 
@@ -28,7 +28,7 @@ inline MapPoint operator-(const MapPoint& a, const MapPoint& b) { return {a.u - 
 
 // Twice the area of the triangle, positive where it is counterclockwise. Exact as long as the
 // triangle is smaller than kLongest in every direction.
-inline Whole orientation(const MapPoint& a, const MapPoint& b, const MapPoint& c) {
+inline Fixed orientation(const MapPoint& a, const MapPoint& b, const MapPoint& c) {
   return (b.u - a.u) * (c.v - a.v) - (b.v - a.v) * (c.u - a.u);
 }
 
@@ -45,12 +45,12 @@ Transition after(const Transition& first, const Transition& second);
 struct SeamlessMap {
   HalfedgeData<MapPoint> corners;  // per corner: the origin of h in face(h)
   HalfedgeData<int> turn;          // over h; see CutField
-  Eigen::VectorXd wholes;          // the integer variables
+  Eigen::VectorXd integers;        // the integer variables
   double length = 0;               // of the quads
   double mark = 0;  // of what was rounded: maps of one surface differ if these differ
 
   Transition across(const HalfedgeMesh& mesh, Halfedge h) const;
-  Whole area(Face f) const {
+  Fixed area(Face f) const {
     const Halfedge h = HalfedgeMesh::halfedge(f);
     return orientation(corners[h], corners[HalfedgeMesh::next(h)], corners[HalfedgeMesh::prev(h)]);
   }
@@ -74,7 +74,7 @@ class MapMaker {
   std::optional<SeamlessMap> map(double length, std::span<const double> known = {}) const;
 
   // The same with integer variables of its own.
-  std::optional<SeamlessMap> mapOf(const Eigen::VectorXd& wholes, double length) const;
+  std::optional<SeamlessMap> mapOf(const Eigen::VectorXd& integers, double length) const;
 
   // The integer variables of maps like this one whose loops of quads are shorter, the best first.
   // vertices: of the quads, within the share `slack`.
@@ -92,7 +92,7 @@ class MapMaker {
 
  private:
   std::optional<SeamlessMap> unfolded(Eigen::VectorXd values, double length) const;
-  SeamlessMap inWholes(const Eigen::VectorXd& values) const;
+  SeamlessMap inIntegers(const Eigen::VectorXd& values) const;
 
   const WorkingMesh& mesh_;
   FaceFrames frames_;

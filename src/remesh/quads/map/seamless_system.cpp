@@ -176,10 +176,10 @@ void SeamlessSystem::numberFree(const IntegerRows& rows) {
 // reals: the square of the integers is summed up in a dense matrix, so that entries are few.
 SeamlessSystem::Quadratic SeamlessSystem::quadratic(const FaceData<double>& sizes) const {
   std::vector<Eigen::Triplet<double>> entries;
-  const std::size_t wholes = count_ - reals_;
-  std::vector<double> ofWholes(wholes * wholes);
+  const std::size_t integers = count_ - reals_;
+  std::vector<double> ofIntegers(integers * integers);
   const auto sumOf = [&](Index a, Index b) -> double& {
-    return ofWholes[(a - reals_) * wholes + b - reals_];
+    return ofIntegers[(a - reals_) * integers + b - reals_];
   };
   const auto add = [&](Index a, Index b, double value) {
     if (b < reals_)

@@ -29,7 +29,7 @@ TEST_CASE("near passes: sums of integers tell how far lines are from the vertice
     double value = 0;
     for (const auto& [variable, x] : sum) {
       REQUIRE(variable >= system.realCount());
-      value += x * map.wholes[variable - system.realCount()];
+      value += x * map.integers[variable - system.realCount()];
     }
     return std::abs(value);
   };

@@ -13,15 +13,15 @@ namespace {
 
 // A row of values that are to be 1 apart, the ends and every third of which are to be whole.
 struct Row {
-  static constexpr Index kReals = 20, kWholes = 6;
-  Eigen::SparseMatrix<double> matrix{kReals + kWholes, kReals + kWholes};
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(kReals + kWholes);
+  static constexpr Index kReals = 20, kIntegers = 6;
+  Eigen::SparseMatrix<double> matrix{kReals + kIntegers, kReals + kIntegers};
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(kReals + kIntegers);
 
   explicit Row(std::uint64_t seed) {
     soups::Random random(seed);
-    Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(kReals + kWholes, kReals + kWholes);
+    Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(kReals + kIntegers, kReals + kIntegers);
     const auto placeOf = [](Index i) { return i % 4 == 3 ? kReals + i / 4 : i - (i + 1) / 4; };
-    for (Index i = 0; i + 1 < kReals + kWholes; ++i) {
+    for (Index i = 0; i + 1 < kReals + kIntegers; ++i) {
       const Index a = placeOf(i), b = placeOf(i + 1);
       const double wanted = 0.5 + random.number(), weight = 0.5 + random.number();
       dense(a, a) += weight, dense(b, b) += weight;
@@ -72,14 +72,14 @@ TEST_CASE("rounding: one whole variable after the other is no worse than all at 
     const Row row(seed);
     const Rounding rounding(row.matrix, row.right, Row::kReals);
     greedy += row.energy(rounding.rounded(1));
-    // All at once: where the least is without wholes, rounded, and the reals solved for again.
+    // All at once: where the least is without integers, rounded, and the reals solved for again.
     const Eigen::MatrixXd lower = row.matrix;
     const Eigen::MatrixXd full = lower.selfadjointView<Eigen::Lower>();
     Eigen::VectorXd x = full.ldlt().solve(row.right);
     for (Index i = Row::kReals; i < x.size(); ++i) x[i] = std::round(x[i]);
     const Eigen::Index n = Row::kReals;
     x.head(n) = full.topLeftCorner(n, n).ldlt().solve(
-        row.right.head(n) - full.topRightCorner(n, Row::kWholes) * x.tail(Row::kWholes));
+        row.right.head(n) - full.topRightCorner(n, Row::kIntegers) * x.tail(Row::kIntegers));
     atOnce += row.energy(x);
   }
   CHECK(greedy <= atOnce);

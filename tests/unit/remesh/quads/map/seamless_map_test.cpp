@@ -29,7 +29,7 @@ struct Mapped {
   SeamlessMap map;
 };
 
-bool isWhole(Whole x) { return x % kUnit == 0; }
+bool isWhole(Fixed x) { return x % kUnit == 0; }
 
 }  // namespace
 
@@ -117,7 +117,7 @@ TEST_CASE("seamless_map: a boundary that turns without corners is a unit long be
         Halfedge h(i);
         if (!mesh.isBoundary(h) || !isTurn(h)) continue;
         ++turns;
-        Whole far = 0;
+        Fixed far = 0;
         do {
           const MapPoint gone = m.map.corners[HalfedgeMesh::next(h)] - m.map.corners[h];
           far += std::abs(gone.u + gone.v);  // one of them is 0
