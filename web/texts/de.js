@@ -261,7 +261,7 @@ export default {
   'phase.count': 'Die Anzahl wird angepasst',
   'phase.fit': 'Anschmiegen an das Original',
   'phase.polish': 'Feinschliff',
-  'phase.land': 'Projektion auf das Original',
+  'phase.reproject': 'Projektion auf das Original',
   'phase.lower Hausdorff': 'Der größte Abstand wird verkleinert',
   'phase.extract': 'Das Ergebnis wird gesammelt',
   'phase.grade': 'Größen werden abgestuft',

@@ -257,7 +257,7 @@ export default {
   'phase.count': 'Matching the number',
   'phase.fit': 'Fitting to the original',
   'phase.polish': 'Polishing',
-  'phase.land': 'Projecting onto the original',
+  'phase.reproject': 'Projecting onto the original',
   'phase.lower Hausdorff': 'Lowering the largest distance',
   'phase.extract': 'Collecting the result',
   'phase.grade': 'Grading sizes',

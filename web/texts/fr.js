@@ -263,7 +263,7 @@ export default {
   'phase.count': 'Ajustement du nombre',
   'phase.fit': 'Rapprochement de l’original',
   'phase.polish': 'Finition',
-  'phase.land': 'Projection sur l’original',
+  'phase.reproject': 'Projection sur l’original',
   'phase.lower Hausdorff': 'Réduction de la plus grande distance',
   'phase.extract': 'Collecte du résultat',
   'phase.grade': 'Gradation des tailles',

@@ -19,7 +19,8 @@ namespace {
 
 constexpr Scheme kSchemes[] = {Scheme::Best, Scheme::Rounds};
 
-// The largest ratio between the target sizes at the two ends of an edge.
+// The largest ratio between the target sizes at the two ends of an edge, if each edge were as long
+// as the mean of these.
 double steepest(const WorkingMesh& mesh, const SizeField& sizes) {
   double most = 1;
   for (Index i = 0; i < mesh.mesh().halfedgeCapacity(); ++i) {
@@ -27,14 +28,17 @@ double steepest(const WorkingMesh& mesh, const SizeField& sizes) {
     if (!mesh.mesh().isEdge(h)) continue;
     const double from = sizes.at(mesh.at(mesh.mesh().origin(h)));
     const double to = sizes.at(mesh.at(mesh.mesh().tip(h)));
-    most = std::max({most, from / to, to / from});
+    const double length =
+        (mesh.position(mesh.mesh().tip(h)) - mesh.position(mesh.mesh().origin(h))).norm();
+    const double slope = std::abs(to - from) / length;
+    most = std::max(most, (1 + slope / 2) / (1 - slope / 2));
   }
   return most;
 }
 
 }  // namespace
 
-TEST_CASE("targets: target sizes at the ends of an edge differ by no more than the gradation") {
+TEST_CASE("targets: over an edge's length target sizes change by no more than the gradation") {
   const OriginalSurface surface = shapes::surfaceOf(shapes::torus(48, 24));
   std::vector<float> density;
   for (const Vec3& p : surface.positions().values()) density.push_back(p.x() > 0 ? 16 : 1);

@@ -273,7 +273,9 @@ TEST_CASE("unwrap: the square is used, by few charts and by many") {
 }
 
 TEST_CASE("unwrap: no chart becomes so long that the square stays empty beside it") {
-  CHECK(Laid(shapes::torus(24, 24), {1024, 4}).use() > 0.45);
+  double use = 0;
+  for (const Index n : {20U, 22U, 24U, 26U}) use += Laid(shapes::torus(n, 24), {1024, 4}).use() / 4;
+  CHECK(use > 0.48);
   CHECK(Laid(shapes::cylinder(30, 6), {1024, 4}).use() > 0.6);
 }
 
