@@ -194,7 +194,7 @@ test('a jump of the error is noticed unless it is said', () => {
   said[1].report.warnings = [{ code: 'TOO_FEW_VERTICES' }];
   assert.deepEqual(lawsOfNeighbours(said), []);
   const byRule = (...rules) => runs(0, 0.9).map((run, i) =>
-    ({ ...run, report: { ...run.report, chosen: [{ rule: rules[i] }] } }));
+    ({ ...run, report: { ...run.report, chosen: { rule: rules[i] } } }));
   assert.deepEqual(lawsOfNeighbours(byRule('isotropic-far-unfinished', 'resampled')), []);
   assert.equal(lawsOfNeighbours(byRule('resampled', 'resampled')).length, 1);
   assert.equal(lawsOfNeighbours(byRule('quads-mirrored', 'quads')).length, 1);

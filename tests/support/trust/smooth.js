@@ -14,8 +14,9 @@ const reasons = ['TOO_FEW_VERTICES', 'MAX_ERROR_EXCEEDED', 'SHAPE_LOST_TO_ROUNDI
 /** A rule of the report's that another mesh was taken than by the neighbour's rule, and why. */
 const otherMesh = 'resampled';
 
-const tookOther = (low, high) => high.chosen?.some(({ rule }) => rule === otherMesh)
-  && !low.chosen?.some(({ rule }) => rule === otherMesh);
+/** Whether a mesh of the report was chosen by that rule: `chosen` is a list if there are several. */
+const isOther = ({ chosen }) => [chosen ?? []].flat().some(({ rule }) => rule === otherMesh);
+const tookOther = (low, high) => isOther(high) && !isOther(low);
 
 /**
  * The broken laws. @param {{ asked: number, report: any }[]} runs of neighbouring numbers
