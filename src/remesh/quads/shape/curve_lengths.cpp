@@ -20,7 +20,7 @@ namespace {
 // length, and this share of it more.
 constexpr double kLengthLoss = 1.8, kLengthShare = 2.5e-3;
 // Or only this share of it, where the best chords lose nothing but roundings.
-constexpr double kExactShare = 2e-4, kRoundings = 1e-6;
+constexpr double kExactShare = 1e-3, kRoundings = 1e-6;
 // Of the way to the best chords, in as many steps.
 constexpr int kSlides = 4;
 // A curve is straight where it turns by less than this; straight pieces are about even if none is
