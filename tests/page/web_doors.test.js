@@ -70,10 +70,16 @@ test('what is broken is repaired without remeshing, and said', async () => {
 });
 
 test('while another result is made, the one before cannot be saved as if it were it', async () => {
-  const wasSavable = await page.evaluate(() => {
-    const savers = () => [...document.querySelectorAll('.savers button')];
+  const wasSavable = await page.evaluate(async () => {
+    const isSavable = () => [...document.querySelectorAll('.savers button')]
+      .some((button) => !button.disabled);
     document.getElementById('purpose-simulation').click();
-    return savers().some((button) => !button.disabled);
+    let was = isSavable();
+    while (document.body.dataset.state !== 'idle') {
+      await new Promise(requestAnimationFrame);
+      was ||= document.body.dataset.state !== 'idle' && isSavable();
+    }
+    return was;
   });
   assert.equal(wasSavable, false);
   await verdict(page);

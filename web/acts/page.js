@@ -52,6 +52,11 @@ export class Page {
       timeLeft(performance.now() - this.#begun, fraction));
   }
 
+  /** Whether nothing is being made, not even a draft. */
+  get isIdle() {
+    return this.#state === 'idle';
+  }
+
   /** Says what is being done, where nobody knows how long it takes. @param {string} phase */
   tell(phase) {
     if (this.#state === 'busy') showProgress({ phase, fraction: null });

@@ -92,7 +92,7 @@ function showVerdict(page) {
   byId('besides', HTMLElement).replaceChildren(...besides(format, shown.values).map((other) =>
     element('button', { type: 'button', onclick: () => savingActs(page, shown).onFormat(other) },
       other.toUpperCase())));
-  setSavable(shown.number > 0);
+  setSavable(page.isIdle && shown.number > 0);  // its distances may come while another is made
   byId('download-bar', HTMLElement).hidden = false;
 }
 

@@ -14,7 +14,7 @@ const reasons = ['TOO_FEW_VERTICES', 'MAX_ERROR_EXCEEDED', 'SHAPE_LOST_TO_ROUNDI
 /** A rule of the report's that another mesh was taken than by the neighbour's rule, and why. */
 const otherMesh = 'resampled';
 
-/** Whether a mesh of the report was chosen by that rule: `chosen` is a list if there are several. */
+/** Whether a mesh was chosen by that rule: `chosen` is a list if the report has several. */
 const isOther = ({ chosen }) => [chosen ?? []].flat().some(({ rule }) => rule === otherMesh);
 const tookOther = (low, high) => isOther(high) && !isOther(low);
 
