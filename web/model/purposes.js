@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a model is remeshed for: each purpose stands for options, and has one number in the
 // visitor's unit. Names and texts are purpose.ID and amount.ID in the texts.
-import { presets } from 'remesher/options';
+import { belonging, presets } from 'remesher/options';
 import { roundLength } from './units.js';
 
 /** @typedef {import('./address.js').Values} Values */
@@ -78,7 +78,7 @@ function targetOf(purpose, amount, { diagonal, unit }) {
   }
 }
 
-const ofRepair = ['repair', 'dropBelow'];
+const ofRepair = ['repair', ...belonging.repair, 'dropBelow'];
 
 /** Options of files that the page leaves out: it compresses none that it writes. */
 const ofFiles = ['compress'];

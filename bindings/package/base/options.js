@@ -13,7 +13,7 @@ import { OptionRules } from './option_rules.js';
 import { canonical, checkValue, inWords, isLength } from './option_values.js';
 import { presets, withPreset } from './presets.js';
 
-export { presets } from './presets.js';
+export { belonging, presets } from './presets.js';
 export {
   bakeNames, convertNames, repairNames, targetNames, unwrapNames,
 } from './option_lists.js';

@@ -30,10 +30,11 @@ export const presets = [
 ];
 
 /**
- * Options by the option whose value in the preset they go with.
+ * Options by the option whose value in a preset they go with.
  * @type {Readonly<Record<string, readonly string[]>>}
  */
-const belonging = { textures: ['textureSize', 'textureFormat'], repair: ['holesUpTo', 'keepRims'] };
+export const belonging = {
+  textures: ['textureSize', 'textureFormat'], repair: ['holesUpTo', 'keepRims'] };
 
 /** @typedef {Record<string, unknown>} Options */
 
