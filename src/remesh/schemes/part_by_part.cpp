@@ -136,16 +136,6 @@ RemeshOptions optionsOf(const SurfacePart& part, const RemeshOptions& whole, dou
   return options;
 }
 
-void appendMesh(TriangleMesh& to, const TriangleMesh& from) {
-  const auto first = Index(to.positions.size());
-  to.positions.insert(to.positions.end(), from.positions.begin(), from.positions.end());
-  for (const Index v : from.indices) to.indices.push_back(first + v);
-  to.groups.insert(to.groups.end(), from.groups.begin(), from.groups.end());
-  for (std::size_t a = 0; a < to.attributes.size(); ++a)
-    to.attributes[a].values.insert(to.attributes[a].values.end(), from.attributes[a].values.begin(),
-                                   from.attributes[a].values.end());
-}
-
 void addPlanes(std::vector<MirrorPlane>& planes, const std::vector<MirrorPlane>& more) {
   for (const MirrorPlane& plane : more) {
     const auto isSame = [&](const MirrorPlane& other) {
@@ -177,7 +167,7 @@ void takePart(RemeshOutcome& whole, RemeshOutcome made, const SurfacePart& part,
   if (whole.mesh.indices.empty())
     whole.mesh = std::move(made.mesh);
   else
-    appendMesh(whole.mesh, made.mesh);
+    append(whole.mesh, made.mesh);
   for (const InputPlace& place : made.places)
     whole.places.push_back({InputTriangle{part.triangles[place.triangle.index]}, place.weights});
   addPlanes(whole.mirrors, made.mirrors);
