@@ -39,7 +39,7 @@ function move() {
   steering.move();
 }
 
-/** What the form holds is not the visitor's own change of an angle. */
+/** An angle that the form got from a purpose is no change by the visitor. */
 function forgetAngle() {
   ({ featureAngle } = page.panel);
 }

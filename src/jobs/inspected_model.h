@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A mesh or a file with the report on it, for who looks at it more closely.
+// Reads and inspects a mesh or a file, and keeps its parts for a closer inspection.
 #pragma once
 
 #include <vector>

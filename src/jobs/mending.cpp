@@ -126,7 +126,7 @@ Mending::Mending(std::vector<io::Part>& parts, const RemeshOptions& options,
     : isGone_(parts.size(), 0) {
   for (const io::Part& part : parts) sources_.push_back(part.source);
   if (options.repair == Repair::Off && !leavesOut(options)) return;
-  // What is left out may be most of it.
+  // Options that leave parts out may leave out most of the model: repair() looks again.
   if (!leavesOut(options)) requireRoomToRepair(parts);
   input_ = inspectScaled(parts);
   if (leavesOut(options)) dropped_.emplace();

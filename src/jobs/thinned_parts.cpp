@@ -157,7 +157,8 @@ std::vector<Vec3> someOf(const TriangleMesh& mesh) {
   return some;
 }
 
-// What keeps the parts from being thinned out, and the vertices of the result if nothing does.
+// hindrance: the option that forbids thinning, or empty; asked: the vertices of the result, if it
+// is allowed.
 struct Thinning {
   std::string_view hindrance;
   std::optional<double> asked;

@@ -14,8 +14,8 @@ namespace remesher {
 
 namespace {
 
-// Charts keep twice their padding from each other, which painted maps need for five mip levels.
-// Half of it beyond the filter's texel is what others keep who paint for three.
+// The padding of painted maps serves five mip levels. Texture coordinates alone keep half of it,
+// for three.
 constexpr Index kUnpaintedShare = 2 * kPaddingShare;
 
 // The triangles of all parts, at the sizes at which they are shown.

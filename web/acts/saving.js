@@ -25,7 +25,7 @@ export function downloadFormat(name, { quads }) {
   return formats.find((format) => format === own) ?? formats[0];
 }
 
-/** What other programs take for each purpose, but glTF, whose quads few programs read. */
+/** The formats of other programs for each purpose; not glTF for quads, which few of them read. */
 const formatsFor = /** @type {Record<string, string[]>} */ ({
   asset: ['glb'], print: ['3mf'], simulation: ['msh', 'inp'], quads: ['obj'] });
 

@@ -256,7 +256,7 @@ function conformInWords({ faces, triangles, area }) {
     + `sides, area ${Number(area.toPrecision(4))}`;
 }
 
-/** What the file weighs.
+/** The size of the file.
  * @param {import('../base/messages.js').Card} card */
 function fileInWords({ before, after }) {
   if (!after.bytes) return [];

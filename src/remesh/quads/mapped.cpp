@@ -228,14 +228,14 @@ double windingOf(const QuadMesh& mesh) {
          double(loops.selfCrossing) / double(mesh.quads.size());
 }
 
-// What quads lack: corners from right angles, by the mean cosine and by the sine of the worst one;
-// and the largest distance from the original, both ways.
-struct Lacks {
+// The quality of quads: how far corners are from right angles, by the mean cosine and by the sine
+// of the worst one, and the largest distance from the original, both ways.
+struct Quality {
   double meanCosine = 0, leastSine = 1, distance = 0;
 };
 
-Lacks lacksOf(const QuadMesh& mesh, const OriginalDistance& distance) {
-  Lacks found;
+Quality qualityOf(const QuadMesh& mesh, const OriginalDistance& distance) {
+  Quality found;
   for (const Four<Index>& quad : mesh.quads) {
     Quad corners{};
     for (std::size_t i = 0; i < 4; ++i) corners[i] = mesh.position(quad[i]);
@@ -251,12 +251,12 @@ Lacks lacksOf(const QuadMesh& mesh, const OriginalDistance& distance) {
 }
 
 // Of the finished quads: before, tips are lost in any map.
-Lacks finishedLacks(QuadMesh mesh, const WorkingMesh& part, const OriginalDistance& distance) {
+Quality finishedQuality(QuadMesh mesh, const WorkingMesh& part, const OriginalDistance& distance) {
   finish(mesh, part);
-  return lacksOf(mesh, distance);
+  return qualityOf(mesh, distance);
 }
 
-bool isHardlyWorse(const Lacks& one, const Lacks& other) {
+bool isHardlyWorse(const Quality& one, const Quality& other) {
   return one.meanCosine <= kHardlyWorse * other.meanCosine &&
          one.distance <= kHardlyWorse * other.distance &&
          one.leastSine >= std::min(other.leastSine, kSoundSine);
@@ -274,7 +274,7 @@ void closeLoops(Extracted& made, const Domain& domain, const MapMaker& maker, do
   const std::vector<Eigen::VectorXd> found =
       maker.withShorterLoops(start, vertices - double(domain.simpler.added), kCountTolerance);
   std::optional<OriginalDistance> distance;
-  std::optional<Lacks> before;
+  std::optional<Quality> before;
   std::size_t finished = 0;
   for (std::size_t i = 0; i < std::min(found.size(), kMostClosed) && finished < kMostFinished;
        ++i) {
@@ -290,10 +290,10 @@ void closeLoops(Extracted& made, const Domain& domain, const MapMaker& maker, do
     if (windingOf(one.quads) >= kShorter * winding) continue;
     if (!before) {
       distance.emplace(domain.part);
-      before = finishedLacks(made.quads, domain.part, *distance);
+      before = finishedQuality(made.quads, domain.part, *distance);
     }
     ++finished;
-    const Lacks now = finishedLacks(one.quads, domain.part, *distance);
+    const Quality now = finishedQuality(one.quads, domain.part, *distance);
     if (!isHardlyWorse(now, *before)) continue;
     made = std::move(one);
     return;

@@ -100,13 +100,13 @@ constexpr std::array kRules = {
          {no(Fact::IsotropicFar)},
          Candidate::Isotropic,
          "Isotropic triangles do not visibly change the shape."},
-    Rule{Decision::Surface,
-         "resampled",
-         {is(Fact::MoreThanInput)},
-         Candidate::Isotropic,
-         "With more vertices than the input has, isotropic triangles resample its facets and are "
-         "seen to be away: only the input's own triangles, as with its number or `prefer: shape`, "
-         "are not."},
+    Rule{
+        Decision::Surface,
+        "resampled",
+        {is(Fact::MoreThanInput)},
+        Candidate::Isotropic,
+        "With more vertices than the input has, isotropic triangles replace its own and visibly "
+        "leave its facets. `prefer: shape` or the input's number of vertices keeps its triangles."},
     Rule{Decision::Surface,
          "isotropic",
          {},

@@ -29,9 +29,9 @@ export default {
     + 'diese weichen nirgends sichtbar ab.',
   'chosen.isotropic-near-unfinished': 'Gleichmäßige Dreiecke ändern die Form nicht sichtbar.',
   'chosen.isotropic-near': 'Gleichmäßige Dreiecke ändern die Form nicht sichtbar.',
-  'chosen.resampled': 'Mit mehr Punkten, als das Original hat, tasten gleichmäßige Dreiecke '
-    + 'dessen Facetten neu ab und weichen sichtbar ab: nur seine eigenen, wie bei seiner Zahl '
-    + 'oder mit „prefer: shape“, tun es nicht.',
+  'chosen.resampled': 'Mit mehr Punkten, als das Original hat, ersetzen gleichmäßige Dreiecke '
+    + 'seine eigenen und weichen sichtbar von seinen Facetten ab. „prefer: shape“ oder die Zahl '
+    + 'des Originals erhält seine Dreiecke.',
   'chosen.isotropic': 'Keine Vereinfachung bleibt so viel näher, dass sie ungleichmäßige '
     + 'Dreiecke wert wäre.',
   'chosen.quads-mirrored': 'Vierecke waren verlangt, und Ebenen spiegeln das Original: die '

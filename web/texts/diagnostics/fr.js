@@ -31,9 +31,9 @@ export default {
   'chosen.isotropic-near-unfinished': 'Les triangles réguliers ne changent pas visiblement la '
     + 'forme.',
   'chosen.isotropic-near': 'Les triangles réguliers ne changent pas visiblement la forme.',
-  'chosen.resampled': 'Avec plus de sommets que l’original, des triangles réguliers '
-    + 'rééchantillonnent ses facettes et s’en écartent visiblement : seuls les siens, comme avec '
-    + 'son nombre ou « prefer: shape », ne le font pas.',
+  'chosen.resampled': 'Avec plus de sommets que l’original, des triangles réguliers remplacent '
+    + 'les siens et s’écartent visiblement de ses facettes. « prefer: shape » ou le nombre de '
+    + 'l’original conserve ses triangles.',
   'chosen.isotropic': 'Aucune simplification n’est assez proche pour valoir ses triangles '
     + 'irréguliers.',
   'chosen.quads-mirrored': 'Des quads étaient demandés, et des plans reflètent '
