@@ -29,6 +29,9 @@ using Outcome = ArrangementResult::Outcome;
 // together, twice as far in each.
 constexpr int kPatience = 4;
 
+// In steps of written coordinates: thinner facets have the shape that rounding gave.
+constexpr double kThin = 8;
+
 bool isClosed(const ArrangementInput& input) {
   const EdgeGroups edges(input.positions.size(), input.indices);
   for (std::size_t e = 0; e < edges.size(); ++e) {
@@ -179,9 +182,24 @@ Vec3 weightsIn(const ArrangementResult& first, Index triangle, const Vec3& p) {
   return own[0] * t.weights[0] + own[1] * t.weights[1] + own[2] * t.weights[2];
 }
 
-// The result with parts brought together that are so near to each other, around intersections.
-ArrangementResult snapped(const ArrangementResult& first, const ArrangementOptions& options,
-                          double tolerance) {
+// The new facets that are so thin: rounding made their shapes.
+std::vector<Index> thinFacets(const ArrangementResult& result, double height) {
+  std::vector<Index> found;
+  for (Index f = 0; f < result.triangles.size(); ++f) {
+    if (result.triangles[f].isUntouched) continue;
+    const auto at = [&](std::size_t k) {
+      return result.positions[result.indices[3 * std::size_t{f} + k % 3]];
+    };
+    double longest = 0;
+    for (std::size_t k = 0; k < 3; ++k) longest = std::max(longest, (at(k + 1) - at(k)).norm());
+    if (2 * area(at(0), at(1), at(2)) <= height * longest) found.push_back(f);
+  }
+  return found;
+}
+
+// The result with parts brought together that are so near to each other, around those facets.
+ArrangementResult snapped(const ArrangementResult& first, std::span<const Index> around,
+                          const ArrangementOptions& options, double tolerance) {
   ArrangementResult result;
   result.positions = first.positions;
   KeptFacets facets{first.indices, {}, {}};
@@ -190,7 +208,7 @@ ArrangementResult snapped(const ArrangementResult& first, const ArrangementOptio
                         const Vec3 place = canonicalPlace(p);
                         return options.isSingle ? inSingle(place, options.frame) : place;
                       }};
-  snapTogether(result.positions, facets, first.selfIntersections, rule);
+  snapTogether(result.positions, facets, around, rule);
   mendRounded(result.positions, 0, facets);
   result.indices = std::move(facets.corners);
   for (std::size_t f = 0; f < facets.from.size(); ++f) {
@@ -206,8 +224,21 @@ ArrangementResult snapped(const ArrangementResult& first, const ArrangementOptio
     }
     result.triangles.push_back(triangle);
   }
-  result.cut = first.cut, result.work = first.work;
+  result.cut = first.cut, result.work = first.work, result.dropped = first.dropped;
   return result;
+}
+
+// Bodies that overlap by a rounding, as balls that touch do, get a ring of facets around the common
+// point; edges that pass each other so nearly get needles between them. Their corners become the
+// same points, and divide the same edges, where this makes nothing intersect.
+void dropThinFacets(ArrangementResult& result, const ArrangementOptions& options, double height) {
+  const std::vector<Index> around = thinFacets(result, height);
+  if (around.empty()) return;
+  ArrangementResult other = snapped(result, around, options, 2 * height);  // a ring's width
+  other.selfIntersections = crossingsOf(other);
+  if (other.selfIntersections.size() > result.selfIntersections.size()) return;
+  fires("arrangement: facets of a few roundings dropped");
+  result = std::move(other);
 }
 
 // The rounded result is arranged like any closed surface; its parents are those of the first.
@@ -251,14 +282,15 @@ ArrangementResult arrange(const ArrangementInput& input, const ArrangementOption
   best = Run(input, options).run();
   if (best.outcome != Outcome::Done) return best;
   best.selfIntersections = crossingsOf(best);
-  ArrangementResult last = best;
   const double step = stepOf(input.positions, options);
+  dropThinFacets(best, options, kThin * step);
+  ArrangementResult last = best;
   for (int left = kPatience; left > 0 && !best.selfIntersections.empty(); --left) {
     fires("arrangement: arranged again after rounding");
     if (isDense(best))
-      last = snapped(best, options, std::ldexp(step, 2 * kPatience - left));
+      last = snapped(best, best.selfIntersections, options, std::ldexp(step, 2 * kPatience - left));
     else if (left < kPatience)
-      last = snapped(best, options, std::ldexp(step, kPatience - left));
+      last = snapped(best, best.selfIntersections, options, std::ldexp(step, kPatience - left));
     ArrangementResult next = arrangedAgain(input, options, last);
     if (next.outcome != Outcome::Done || next.indices.empty()) break;
     last = std::move(next);

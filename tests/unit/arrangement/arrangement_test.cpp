@@ -8,6 +8,7 @@
 #include <set>
 
 #include "base/place.h"
+#include "geometry/triangle.h"
 #include "measure/self_intersections.h"
 #include "support/hostile_shapes.h"
 #include "support/shapes.h"
@@ -133,6 +134,14 @@ TriangleMesh box(const Vec3& low, const Vec3& high) {
   return mesh;
 }
 
+// A pyramid on a square, which faces outwards.
+TriangleMesh pyramid(double base, double apex) {
+  TriangleMesh mesh;
+  mesh.positions = {{1, 0, base}, {0, 1, base}, {-1, 0, base}, {0, -1, base}, {0, 0, apex}};
+  mesh.indices = {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4, 2, 1, 0, 3, 2, 0};
+  return apex > base ? mesh : shapes::turnedOver(mesh);
+}
+
 // By a random rotation and shift, in single precision.
 TriangleMesh anywhere(TriangleMesh mesh, soups::Random& random) {
   Eigen::Quaterniond turn(random.number() - 0.5, random.number() - 0.5, random.number() - 0.5,
@@ -183,6 +192,35 @@ TEST_CASE("arrangement: boxes in general position, with the exact volumes") {
   CHECK(volumeOf(arranged(input, inBoth)) == doctest::Approx(6).epsilon(1e-14));
   CHECK(arranged(input, inBoth).indices.size() == 3 * 12);
   CHECK(volumeOf(arranged(input, inFirstOnly)) == doctest::Approx(64 - 6).epsilon(1e-14));
+}
+
+TEST_CASE("arrangement: bodies that overlap by a rounding touch at a point") {
+  for (const double height : {0.1, 0.2, 0.5}) {
+    const ArrangementInput input =
+        inputOf({pyramid(1 - height, 1 + 0x1p-52), pyramid(1 + height, 1)});
+    const ArrangementResult result = arranged(input);
+    CHECK(result.triangles.size() == input.operands.size());
+    CHECK(volumeOf(result) == doctest::Approx(2 * 2 * height / 3));
+  }
+  // A deeper overlap keeps its ring of facets.
+  const ArrangementInput deep = inputOf({pyramid(0, 1.25), pyramid(2, 1)});
+  CHECK(arranged(deep).triangles.size() > deep.operands.size());
+}
+
+TEST_CASE("arrangement: a point that rounding puts beside an edge leaves no needle there") {
+  const Eigen::AngleAxisd turn(0.3, Vec3::UnitZ());
+  for (const double shift : {0.0, 0.1, 0.37}) {
+    TriangleMesh ground = box({-1, -1, -1}, {1, 1, 0}), tip = pyramid(1, 0);
+    for (TriangleMesh* mesh : {&ground, &tip})
+      for (Vec3& p : mesh->positions) p = turn * p + Vec3(shift, 0, shift);
+    const ArrangementResult result = arranged(inputOf({ground, tip}));
+    double thinnest = 1;
+    for (std::size_t i = 0; i < result.indices.size(); i += 3) {
+      const auto at = [&](std::size_t k) { return result.positions[result.indices[i + k]]; };
+      thinnest = std::min(thinnest, area(at(0), at(1), at(2)));
+    }
+    CHECK(thinnest > 0.1);
+  }
 }
 
 TEST_CASE("arrangement: boxes that share parts of their faces") {
