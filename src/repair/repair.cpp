@@ -190,8 +190,6 @@ void addReport(RepairedMesh& result, const RepairedMesh& rest, double restShare)
   if (rest.isRemade) {
     sum.mode = rest.report.mode;
     sum.reason = "partly";
-  } else if (sum.reason == "closed" && sum.holes + sum.turned == 0) {
-    sum.reason = rest.report.reason;
   }
   std::erase_if(result.warnings,
                 [](const PlacedWarning& own) { return own.warning.code == "CROSSINGS_LEFT"; });
@@ -235,7 +233,10 @@ std::optional<RepairedMesh> withRest(RepairedMesh result, const TriangleMesh& re
   result.isRemade = made.isRemade;
   append(result.mesh, made.mesh);
   if (!made.isRemade) {
-    if (haveSameTriangles(result.mesh, input)) result.mesh = input;
+    if (haveSameTriangles(result.mesh, input)) {
+      result.mesh = input;
+      result.report.reason = made.report.reason;
+    }
     warnOfCrossings(result, selfIntersections(result.mesh));
     return result;
   }

@@ -153,6 +153,20 @@ TEST_CASE("repair: auto leaves sheets alone, with a warning that has a place") {
   CHECK(result.warnings.front().at);
 }
 
+TEST_CASE("repair: the reason is sheets only where every triangle stays") {
+  TriangleMesh fin;  // on an edge of the box, as its third triangle
+  fin.positions = {{1, 1, 0}, {1, 1, 1}, {3, 3, 0}};
+  fin.indices = {0, 1, 2};
+  const TriangleMesh whole =
+      soups::joined({soups::cube(0, 1), soups::moved(shapes::grid(20, 20), {30, 0, 0})});
+  const TriangleMesh given = soups::joined({whole, fin});
+  for (const TriangleMesh& mesh : {whole, given}) {
+    const RepairedMesh result = mended(mesh);
+    CHECK((result.report.reason == "sheets") ==
+          (result.mesh.triangleCount() == mesh.triangleCount()));
+  }
+}
+
 TEST_CASE("repair: faults are none where nothing is broken") {
   for (const TriangleMesh& mesh : {shapes::icosphere(6), shapes::torus(20, 10)}) {
     const FaultReport faults = faultsOf(mesh);
