@@ -21,7 +21,7 @@ namespace remesher {
 namespace {
 
 // Limit on a union's triangles: each join visits all of them, and larger charts have little border.
-constexpr std::size_t kMostTriangles = 2048;
+constexpr std::size_t kMostTriangles = 6144;
 // A union may be as long as this multiple of the longer of its charts, whatever the limit.
 constexpr double kGrown = 1.1;
 // Directions in which the length of a chart is measured.

@@ -2,7 +2,7 @@
 // Relaxes a chart in the plane, so that its triangles come closer to their shape on the surface.
 // Each round fits every triangle's true shape onto its place, then moves each vertex to the mean of
 // the places that its triangles ask for [Liu et al. 2008, A Local/Global Approach to Mesh
-// Parameterization; Bouaziz et al. 2012, Shape-Up].
+// Parameterization; Bouaziz et al. 2012, Shape-Up]. Triangles that stay untrue weigh more and more.
 #pragma once
 
 #include <array>
@@ -36,7 +36,7 @@ struct PlaneMesh {
 
 // Whether the relaxed mesh is true to the surface: no triangle is turned over, all areas are about
 // right, and no triangle is stretched much. It is relaxed until it is, or for as long as it may
-// become so.
+// become so; a true mesh gets the surface's area.
 bool relax(PlaneMesh& mesh);
 
 }  // namespace remesher
