@@ -38,7 +38,8 @@ const modelsOf = (folders) => [...Object.entries(assetModels),
 /** Per material how it is drawn: materials of one kind can share a set of maps.
  * @param {any} tree of a glTF file */
 const kindsOf = ({ materials = [] }) =>
-  materials.map(({ alphaMode, doubleSided }) => `${alphaMode} ${doubleSided}`);
+  materials.map(({ alphaMode, doubleSided, extensions = {} }) =>
+    `${alphaMode} ${doubleSided} ${'KHR_materials_unlit' in extensions}`);
 
 /** What is wrong with a result. @param {any} row */
 function faultsOf({ name, errors, report, tree, kinds, given, bytes, ssim, peer }) {
