@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "base/fires.h"
@@ -49,7 +50,9 @@ Eigen::MatrixXd inverseOf(const Eigen::MatrixXd& matrix) {
 }  // namespace
 
 // The minimum of a quadratic of some variables, and the lower half of the inverse of its matrix.
-// Variables that are fixed leave it. Never inlined: one copy is enough.
+// Variables that are fixed leave it. What moves take off the inverse waits until there are some:
+// then each of its columns, which fill no cache together, is read once for all of them. Never
+// inlined: one copy is enough.
 class Minimum {
  public:
   Minimum(std::vector<int> variables, Eigen::VectorXd values, Eigen::MatrixXd inverse)
@@ -64,35 +67,56 @@ class Minimum {
   [[gnu::noinline]] Eigen::VectorXd column(Eigen::Index i) const {
     Eigen::VectorXd result(count_);
     for (Eigen::Index k = 0; k < count_; ++k) result[k] = inverse_(std::max(i, k), std::min(i, k));
+    for (const Update& update : waiting_) {
+      for (Eigen::Index k = 0; k < i; ++k) result[k] -= update.along[i] * update.share[k];
+      for (Eigen::Index k = i; k < count_; ++k) result[k] -= update.along[k] * update.share[i];
+    }
     return result;
   }
 
   // Moves to the minimum where a sum c·z is larger by `lack`. along: the inverse times c; spread:
   // c·along, and one over the weight of the wish if it is to be met in part [Woodbury].
-  [[gnu::noinline]] void move(const Eigen::VectorXd& along, double lack, double spread) {
+  [[gnu::noinline]] void move(Eigen::VectorXd along, double lack, double spread) {
     values_.head(count_) += along * (lack / spread);
-    for (Eigen::Index i = 0; i < count_; ++i) {
-      const double share = along[i] / spread;
-      for (Eigen::Index k = i; k < count_; ++k) inverse_(k, i) -= along[k] * share;
-    }
+    Eigen::VectorXd share = along / spread;
+    waiting_.push_back({std::move(along), std::move(share)});
+    if (waiting_.size() == kAtOnce) update();
   }
 
   // The last variable takes the place of the fixed one.
   [[gnu::noinline]] void fix(Eigen::Index i, double value) {
-    const Eigen::VectorXd along = column(i);
-    move(along, value - values_[i], along[i]);
-    const Eigen::VectorXd last = column(--count_);
+    Eigen::VectorXd along = column(i);
+    const double spread = along[i];
+    move(std::move(along), value - values_[i], spread);
+    const Eigen::VectorXd last = column(count_ - 1);
+    --count_;
     variables_[std::size_t(i)] = variables_[std::size_t(count_)];
     values_[i] = values_[count_];
     for (Eigen::Index k = 0; k < count_; ++k) inverse_(std::max(i, k), std::min(i, k)) = last[k];
-    if (i < count_) inverse_(i, i) = inverse_(count_, count_);
+    if (i < count_) inverse_(i, i) = last[count_];
+    for (Update& update : waiting_) update.along[i] = update.share[i] = 0;
   }
 
  private:
+  struct Update {
+    Eigen::VectorXd along, share;
+  };
+  static constexpr std::size_t kAtOnce = 8;
+
+  void update() {
+    for (Eigen::Index i = 0; i < count_; ++i)
+      for (const Update& update : waiting_) {
+        const double share = update.share[i];
+        for (Eigen::Index k = i; k < count_; ++k) inverse_(k, i) -= update.along[k] * share;
+      }
+    waiting_.clear();
+  }
+
   std::vector<int> variables_;
   Eigen::VectorXd values_;
   Eigen::MatrixXd inverse_;
   Eigen::Index count_;
+  std::vector<Update> waiting_;
 };
 
 // The integer variables, and what is wanted of the required sums, 0 for nothing.
@@ -225,7 +249,7 @@ void Rounding::pullOne(Minimum& minimum, const Integers& integers, const Integer
   }
   for (const auto& term : sum)
     if (isOne(term)) spread += term.second * along[placeOf(term)];
-  minimum.move(along, lack, spread);
+  minimum.move(std::move(along), lack, spread);
 }
 
 void Rounding::pull(Minimum& minimum, const Integers& integers,
