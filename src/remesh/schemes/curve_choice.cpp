@@ -53,8 +53,37 @@ std::vector<Halfedge> rimsOf(const FlatRegions& flats, const BuiltMesh& built,
   return rims;
 }
 
-void add(std::vector<Halfedge>& to, const std::vector<Halfedge>& from) {
+template <class Handle>
+void add(std::vector<Handle>& to, const std::vector<Handle>& from) {
   to.insert(to.end(), from.begin(), from.end());
+}
+
+// Where the border given ends at a plane that a half is to be mirrored by, and where two planes
+// meet: the border's end would slide along the plane if the two bend too little for a corner.
+std::vector<Vertex> endsAtPlanes(const BuiltMesh& built, const Mirrors& mirrors) {
+  if (mirrors.planes.empty()) return {};
+  const HalfedgeMesh& mesh = built.mesh;
+  const auto planesOf = [&](Halfedge h) {
+    unsigned found = 0;
+    for (std::size_t i = 0; i < mirrors.planes.size(); ++i) {
+      const auto isOn = [&](Vertex v) {
+        return std::abs(mirrors.planes[i].distance(built.positions[v])) <= mirrors.slack;
+      };
+      if (isOn(mesh.origin(h)) && isOn(mesh.tip(h))) found |= 1U << i;
+    }
+    return found;
+  };
+  VertexData<Index> planes(mesh.vertexCapacity(), kNone);
+  std::vector<Vertex> ends;
+  for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
+    const Halfedge h(i);
+    if (!mesh.isAlive(h) || !mesh.isBoundary(h)) continue;
+    const Index own = planesOf(h);
+    for (const Vertex v : {mesh.origin(h), mesh.tip(h)})
+      if (const Index other = std::exchange(planes[v], own); other != kNone && other != own)
+        ends.push_back(v);
+  }
+  return ends;
 }
 
 }  // namespace
@@ -94,6 +123,7 @@ CurveChoice chooseCurves(const BuiltMesh& built, const TriangleMesh& input,
   rules.size = scale.size;
   rules.kept = scale.joints;
   rules.corners = scale.spikes.corners;
+  add(rules.corners, endsAtPlanes(built, options.mirrors));
   rules.keepBoundary = options.boundary == Boundary::Keep;
   if (isDetecting && scale.followed == 1)
     rules.tips = detectTips(built.mesh, built.positions, rules.edges);

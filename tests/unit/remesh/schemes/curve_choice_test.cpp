@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What whole runs promise about flat sides: they stay flat, to the last digit.
+// What whole runs promise about flat sides: they stay flat, to the last digit; and corners of curves.
+#include "remesh/schemes/curve_choice.h"
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -97,4 +99,21 @@ TEST_CASE("flat sides: a triangle without area on an edge of a box does no harm"
   shapes::addTriangle(box, a, b, middle);
   for (const Index vertices : {30, 500})
     CHECK(measureFidelity(box, remeshed(box, vertices, Quality::Best)).hausdorff < 1e-6);
+}
+
+TEST_CASE("curves: a border ends at a plane that mirrors a half, however little it bends there") {
+  const double slight = 0.05;
+  TriangleMesh half;
+  half.positions = {{0, 0, 0}, {1, 0, 0}, {2, slight, 0}, {2, 1, 0}, {0, 1, 0}};
+  half.indices = {0, 1, 4, 1, 2, 3, 1, 3, 4};
+  const BuiltMesh built = buildMesh(half);
+  RemeshOptions options;
+  for (const bool isMirrored : {false, true}) {
+    if (isMirrored) options.mirrors.planes = {{Vec3::UnitY(), 0}};
+    const FeatureCurves curves = chooseCurves(built, half, options, {0.1, {}, {}}).curves;
+    int count = 0;
+    for (Index i = 0; i < built.mesh.vertexCapacity(); ++i)
+      count += curves.isCorner(Vertex(i)) && built.positions[Vertex(i)] == half.positions[1];
+    CHECK(count == int(isMirrored));
+  }
 }
