@@ -285,6 +285,7 @@ set(small
   src/remesh/quads/mesh/quad_borders.cpp
   src/remesh/quads/mesh/quad_check.cpp
   src/remesh/quads/mesh/quad_distance.cpp
+  src/remesh/quads/mesh/quad_facing.cpp
   src/remesh/quads/mesh/quad_parts.cpp
   src/remesh/quads/mesh/quad_sides.cpp
   src/remesh/quads/mesh/triangulated.cpp

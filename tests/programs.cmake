@@ -180,6 +180,7 @@ add_executable(unit_tests
   tests/unit/remesh/quads/mesh/quad_borders_test.cpp
   tests/unit/remesh/quads/mesh/quad_check_test.cpp
   tests/unit/remesh/quads/mesh/quad_distance_test.cpp
+  tests/unit/remesh/quads/mesh/quad_facing_test.cpp
   tests/unit/remesh/quads/mesh/triangulated_test.cpp
   tests/unit/remesh/quads/pair/box_quads_test.cpp
   tests/unit/remesh/quads/pair/pairing_test.cpp

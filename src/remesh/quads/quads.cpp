@@ -254,7 +254,9 @@ class QuadMaking {
     if (goal_.isForced && partFromImages(made.mesh, goal_.mirrors, bases_.first()) > 0)
       settle(made.mesh, bases_.first());
     if (!goal_.isGraded) keepCurveLengths(made.mesh, bases_.first());
-    if (!goal_.isDraft) finish(made.mesh, bases_.first());
+    if (goal_.isDraft) return;
+    finish(made.mesh, bases_.first());
+    turnBack(made.mesh, bases_.first());
   }
 
   // The share by which the number is missed.

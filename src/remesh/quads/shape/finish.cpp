@@ -45,6 +45,11 @@ void finish(QuadMesh& quads, const WorkingMesh& ground) {
   if (distance.farthest(quads) > kClearlyNearer * distance.farthest(fairOnes)) quads = fairOnes;
 }
 
+void turnBack(QuadMesh& quads, const WorkingMesh& ground) {
+  const QuadFacing facing(ground);
+  rewire(quads, ground, &facing);
+}
+
 double unsoundShare(QuadMesh& quads, const WorkingMesh& ground) {
   const MovingQuads moving(quads, ground);
   std::size_t count = 0;

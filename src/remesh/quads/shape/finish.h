@@ -15,6 +15,9 @@ void shape(QuadMesh& quads, const WorkingMesh& ground);
 // Brings quads of the right number to the original's tips and makes them fair. Moves vertices only.
 void finish(QuadMesh& quads, const WorkingMesh& ground);
 
+// Rewires quads that face away from the original, where that can be done.
+void turnBack(QuadMesh& quads, const WorkingMesh& ground);
+
 // The share of quads that fold, or have hardly any area.
 double unsoundShare(QuadMesh& quads, const WorkingMesh& ground);
 

@@ -49,7 +49,7 @@ Quad MovingQuads::corners(Index quad) const {
 // Folds are seen along the original's normals. A vertex on a curve has several, so that only the
 // normals of inner vertices count. A bent quad may look sound along these and yet be reflex, so
 // that its own normal counts too.
-double MovingQuads::quality(Index quad) const {
+double MovingQuads::qualityAlone(Index quad) const {
   const Quad places = corners(quad);
   const Quad across = cornerNormals(places);
   const Vec3 upward = areaVector(places).normalized();
@@ -60,6 +60,11 @@ double MovingQuads::quality(Index quad) const {
   const double length = normal.norm();
   if (length > 0) return std::min(own, leastSine(across, normal / length));
   return own > 0 && facesAway(mesh_, quad, upward) ? -own : own;
+}
+
+double MovingQuads::quality(Index quad) const {
+  const double alone = qualityAlone(quad);
+  return alone > 0 && facing_ && facing_->isAway(corners(quad)) ? -alone : alone;
 }
 
 double MovingQuads::qualityAround(Index v) const {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "geometry/quad.h"
+#include "remesh/quads/mesh/quad_facing.h"
 #include "remesh/quads/mesh/quad_mesh.h"
 #include "remesh/quads/mesh/quad_sides.h"
 
@@ -14,9 +15,10 @@ namespace remesher {
 
 class MovingQuads {
  public:
-  // ground: any mesh on the same original. The quads must be a manifold, and outlive this.
-  MovingQuads(QuadMesh& mesh, const WorkingMesh& ground)
-      : mesh_(mesh), ground_(ground), sides_(mesh.vertices.size(), mesh.quads) {}
+  // ground: any mesh on the same original. The quads must be a manifold, and outlive this. With
+  // `facing`, which must too, quads that face away are folded.
+  MovingQuads(QuadMesh& mesh, const WorkingMesh& ground, const QuadFacing* facing = nullptr)
+      : mesh_(mesh), ground_(ground), facing_(facing), sides_(mesh.vertices.size(), mesh.quads) {}
 
   const QuadMesh& mesh() const { return mesh_; }
   const QuadSides& sides() const { return sides_; }
@@ -37,9 +39,11 @@ class MovingQuads {
 
  private:
   std::optional<Placement> alongCurve(Index v, const Vec3& p) const;
+  double qualityAlone(Index quad) const;
 
   QuadMesh& mesh_;
   const WorkingMesh& ground_;
+  const QuadFacing* facing_;
   const QuadSides sides_;
 };
 

@@ -117,18 +117,21 @@ QuadPatch filled(QuadPatch patch, Index quad, const WorkingMesh& ground) {
   return patch;
 }
 
-std::vector<Index> unsoundOf(QuadMesh& mesh, const WorkingMesh& ground) {
+// With `facing` only those that face away.
+std::vector<Index> unsoundOf(QuadMesh& mesh, const WorkingMesh& ground, const QuadFacing* facing) {
   const MovingQuads moving(mesh, ground);
   std::vector<Index> found;
   for (Index q = 0; q < mesh.quads.size(); ++q)
-    if (moving.quality(q) < kLeastSine) found.push_back(q);
+    if (facing ? facing->isAway(moving.corners(q)) : moving.quality(q) < kLeastSine)
+      found.push_back(q);
   return found;
 }
 
 class Rewiring {
  public:
-  Rewiring(const QuadPatch& patch, const WorkingMesh& ground)
+  Rewiring(const QuadPatch& patch, const WorkingMesh& ground, const QuadFacing* facing)
       : ground_(ground),
+        facing_(facing),
         sides_(patch.mesh.vertices.size(), patch.mesh.quads),
         kind_(kindOf(patch.mesh)),
         start_(patch) {}
@@ -195,7 +198,7 @@ class Rewiring {
 
   Fault faultOfStart() const {
     QuadPatch copy = start_;
-    return faultOf(MovingQuads(copy.mesh, ground_), copy);
+    return faultOf(MovingQuads(copy.mesh, ground_, facing_), copy);
   }
 
   void consider(std::optional<QuadPatch> patch) {
@@ -203,7 +206,7 @@ class Rewiring {
     removeDoublets(patch->mesh);
     patch->dropUnusedVertices();
     if (!isSound(*patch)) return;
-    const Fault unmended = faultOf(MovingQuads(patch->mesh, ground_), *patch);
+    const Fault unmended = faultOf(MovingQuads(patch->mesh, ground_, facing_), *patch);
     waiting_.push_back({std::move(*patch), unmended});
   }
 
@@ -222,7 +225,7 @@ class Rewiring {
 
   void mend(QuadPatch patch, const Fault& unmended) {
     if (best_ && least_.cost() <= 0.1 * unmended.irregular) return;
-    MovingQuads quads(patch.mesh, ground_);
+    MovingQuads quads(patch.mesh, ground_, facing_);
     mendCorners(quads, patch.isRim);
     const Fault fault = faultOf(quads, patch);
     if (!fault.isClearlyBelow(before_)) return;
@@ -232,6 +235,7 @@ class Rewiring {
   }
 
   const WorkingMesh& ground_;
+  const QuadFacing* facing_;
   const QuadSides sides_;
   const SurfaceKind kind_;
   const QuadPatch& start_;
@@ -242,8 +246,12 @@ class Rewiring {
 
 }  // namespace
 
-void rewire(QuadMesh& mesh, const WorkingMesh& ground) {
-  const std::size_t most = kMostTried + mesh.quads.size() / kQuadsPerTry;
+std::size_t mostRewired(const QuadMesh& mesh) {
+  return kMostTried + mesh.quads.size() / kQuadsPerTry;
+}
+
+void rewire(QuadMesh& mesh, const WorkingMesh& ground, const QuadFacing* facing) {
+  const std::size_t most = mostRewired(mesh);
   std::set<Four<Index>> tried;
   for (bool isDone = false; !isDone;) {
     isDone = true;
@@ -251,7 +259,7 @@ void rewire(QuadMesh& mesh, const WorkingMesh& ground) {
     const QuadSides sides(mesh.vertices.size(), quads);
     std::vector<char> isChanged(quads.size(), 0);
     std::vector<QuadPatch> better;
-    for (const Index q : unsoundOf(mesh, ground)) {
+    for (const Index q : unsoundOf(mesh, ground, facing)) {
       if (tried.contains(quads[q])) continue;
       if (tried.size() == most) {
         fires("quads: rewiring ends early");
@@ -260,7 +268,7 @@ void rewire(QuadMesh& mesh, const WorkingMesh& ground) {
       const std::vector<Index> near = quadsNear(sides, mesh, q);
       if (std::any_of(near.begin(), near.end(), [&](Index n) { return isChanged[n]; })) continue;
       tried.insert(quads[q]);
-      std::optional<QuadPatch> found = Rewiring(patchOf(mesh, sides, near), ground).run();
+      std::optional<QuadPatch> found = Rewiring(patchOf(mesh, sides, near), ground, facing).run();
       if (!found) continue;
       for (const Index n : near) isChanged[n] = 1;
       better.push_back(std::move(*found));

@@ -11,13 +11,17 @@
 //     o---o---o       o---o---o        o-------o       o-------o
 #pragma once
 
+#include "remesh/quads/mesh/quad_facing.h"
 #include "remesh/quads/mesh/quad_mesh.h"
 
 namespace remesher {
 
 // ground: any mesh on the same original. The quads stay a surface of the same kind; sides and
-// vertices on curves stay on them.
-void rewire(QuadMesh& mesh, const WorkingMesh& ground);
+// vertices on curves stay on them. With `facing` only quads that face away are rewired.
+void rewire(QuadMesh& mesh, const WorkingMesh& ground, const QuadFacing* facing = nullptr);
+
+// So many quads are tried at most.
+std::size_t mostRewired(const QuadMesh& mesh);
 
 // Gives each inner vertex with only two quads a third: a smaller quad is put into one of the two.
 void fillDoublets(QuadMesh& mesh, const WorkingMesh& ground);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What whole runs promise about flat sides: they stay flat, to the last digit; and corners of curves.
+// What whole runs promise about flat sides: they stay flat, to the last digit; corners of curves.
 #include "remesh/schemes/curve_choice.h"
 
 #include <doctest/doctest.h>

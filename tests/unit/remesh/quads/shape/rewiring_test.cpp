@@ -120,6 +120,33 @@ TEST_CASE("rewiring: a quad whose four corners are on one straight curve gets an
   checkRewired(mesh, ground, 0.1);
 }
 
+TEST_CASE("rewiring: a quad between corners that faces away is turned back where that is asked") {
+  const OriginalSurface surface = shapes::surfaceOf(shapes::grid(kWide - 1, kWide - 1));
+  const WorkingMesh ground(surface);
+  const QuadFacing facing(ground);
+  const auto countAway = [&](QuadMesh& mesh) {
+    const MovingQuads moving(mesh, ground);
+    std::size_t count = 0;
+    for (Index q = 0; q < mesh.quads.size(); ++q) count += facing.isAway(moving.corners(q));
+    return count;
+  };
+  QuadMesh mesh = quadsOn(ground);
+  const auto [a, b, c, d] = mesh.quads[14];
+  mesh.vertices[b].position += Vec3(0, 0.6, 0);
+  mesh.vertices[c].position -= Vec3(0, 0.6, 0);
+  mesh.vertices[d].position += Vec3(0.6, -0.8, 0);
+  for (const Index v : {a, b, c, d}) mesh.vertices[v].kind = VertexKind::Corner;
+  REQUIRE(countAway(mesh) == 1);
+  const SurfaceKind kind = kindOf(mesh);
+  QuadMesh unasked = mesh;  // a quad between corners has no normals to be compared with
+  rewire(unasked, ground);
+  CHECK(countAway(unasked) == 1);
+  rewire(mesh, ground, &facing);
+  CHECK(countAway(mesh) == 0);
+  CHECK(check(mesh) == "");
+  CHECK(kindOf(mesh) == kind);
+}
+
 TEST_CASE("rewiring: a vertex between two quads gets a third") {
   const OriginalSurface surface = shapes::surfaceOf(shapes::grid(kWide - 1, kWide - 1));
   const WorkingMesh ground(surface);
