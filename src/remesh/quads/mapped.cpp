@@ -75,6 +75,7 @@ struct Extracted {
   double faults = 0;              // curves that are not followed, and unsound quads
   // By how much χ differs, and 1 if the kind of surface does, and 1 if the border is torn.
   std::size_t lost = 1;
+  bool isRewired = false;
 };
 // The quads of a map.
 Extracted extracted(const Domain& domain, const SeamlessMap& map) {
@@ -110,6 +111,16 @@ double countError(double count, double wanted) {
 double costOf(const Extracted& made, double wanted) {
   const double count = double(made.quads.vertices.size()), most = (1 + kCountTolerance) * wanted;
   return made.faults + std::max(0.0, count - most) / kTooMany + countError(count, wanted);
+}
+
+// Rewires quads that have too many faults for each map of a search to be rewired: that takes a
+// second, and most faults stay.
+void rewireLate(std::optional<Extracted>& made, const WorkingMesh& part) {
+  if (!made || made->isRewired) return;
+  fires("quads: only the last map is rewired");
+  made->faults -= kTooMany * faultsOf(made->quads, part);
+  rewire(made->quads, part);
+  made->faults += kTooMany * faultsOf(made->quads, part);
 }
 
 // Searches for a scale whose map is good. Each scale gives another map, because integers are
@@ -167,12 +178,15 @@ std::optional<Extracted> searchScale(const Domain& domain, const MapMaker& maker
       continue;
     }
     settle(made.quads, part);
-    if (vertices > kFew && unsoundShare(made.quads, part) > kHopeless) {
+    const double unsound = unsoundShare(made.quads, part);
+    if (vertices > kFew && unsound > kHopeless) {
       fires("quads: too many unsound to be mended");
       ++failed;
       continue;
     }
-    rewire(made.quads, part);
+    const double worthwhile = double(mostRewired(made.quads)) / 2;
+    made.isRewired = unsound * double(made.quads.quads.size()) <= worthwhile;
+    if (made.isRewired) rewire(made.quads, part);
     made.faults += kTooMany * faultsOf(made.quads, part);
     ++shaped;
     if (!best || costOf(made, vertices) < costOf(*best, vertices)) best = std::move(made);
@@ -329,6 +343,7 @@ QuadMesh quadsOf(const Domain& domain, double vertices, SizeMaker& sizesOn) {
     std::optional<Extracted> even = searchScale(domain, maker, vertices, kSteps);
     if (even && (!found || found->faults > 0 || isGood(*even))) found = std::move(even);
   }
+  rewireLate(found, part);
   if (found && !isTorn) {
     shortenLoops(*found, domain, maker, vertices);
     closeLoops(*found, domain, maker, vertices);
