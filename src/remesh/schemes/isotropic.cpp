@@ -86,14 +86,6 @@ Places matchPositions(Run& run, std::size_t vertices, const Bodies& bodies) {
   }
 }
 
-// The vertices that repaired surfaces of many pieces or handles are made of, where those asked for
-// do not suffice; otherwise 0.
-std::size_t enoughInstead(const Prepared& original, const RemeshOptions& options) {
-  if (options.repair == Repair::Off || original.bound() || options.splitObtuse) return 0;
-  const std::size_t enough = fewestVertices(original.surface().mesh()).enough;
-  return original.vertices() < enough ? enough : 0;
-}
-
 struct Made {
   bool isReached;  // the number of vertices
   Uncrossed uncrossed = {};
@@ -105,7 +97,9 @@ Made makeMesh(Run& run, const Prepared& original, const RunSettings& settings,
   if (const std::size_t enough = enoughInstead(original, options)) {
     fires("isotropic: more pieces or handles than the number allows");
     progress.phase("polish", 0, 0);
-    return {false, makeUncrossed(run, enough)};
+    if (settings.crossings == CrossingRule::Mend) return {false, makeUncrossed(run, enough)};
+    makeThinned(run, enough);
+    return {false};
   }
   const std::size_t vertices = original.vertices();
   const bool isReached =
@@ -114,7 +108,8 @@ Made makeMesh(Run& run, const Prepared& original, const RunSettings& settings,
           : runScheme(run, vertices, settings, progress);
   const bool isGivenUp = !isReached && original.bound() && options.outOfBound == OutOfBound::GiveUp;
   if (settings.crossings == CrossingRule::Leave || isGivenUp) return {isReached};
-  Uncrossed uncrossed = keepUncrossed(run, vertices);
+  Uncrossed uncrossed = settings.crossings == CrossingRule::Mend ? keepUncrossed(run, vertices)
+                                                                 : mendUncrossed(run, vertices);
   const bool isStillReached = isReached && uncrossed.isReached;
   return {isStillReached, std::move(uncrossed)};
 }
@@ -144,6 +139,12 @@ Projector projectorFor(const Prepared& original, const RemeshOptions& options) {
   if (hasHubs) fires("isotropic: hubs, so projection walks");
   if (walks || hasHubs) return Projector(original.ground());
   return Projector(original.ground(), options.projection, original.longestEdges());
+}
+
+std::size_t enoughInstead(const Prepared& original, const RemeshOptions& options) {
+  if (options.repair == Repair::Off || original.bound() || options.splitObtuse) return 0;
+  const std::size_t enough = fewestVertices(original.surface().mesh()).enough;
+  return original.vertices() < enough ? enough : 0;
 }
 
 Remeshed remeshOriginal(const Prepared& original, const RunSettings& settings,

@@ -24,8 +24,9 @@ struct Remeshed {
   Unmet unmet = {};
 };
 
-// Whether a result may intersect itself.
-enum class CrossingRule { Leave, Mend };
+// Whether a result may intersect itself. MendInPlace: as few triangles as can be mended where they
+// are, for meshes that others are made from.
+enum class CrossingRule { Leave, MendInPlace, Mend };
 
 inline CrossingRule crossingsAfter(const RemeshOptions& options) {
   return options.repair == Repair::Off ? CrossingRule::Leave : CrossingRule::Mend;
@@ -46,6 +47,10 @@ Quantum quantumOf(const TriangleMesh& input);
 
 // Projects onto the surface that remeshing begins with.
 Projector projectorFor(const Prepared& original, const RemeshOptions& options);
+
+// The vertices that repaired surfaces of many pieces or handles are made of, where those asked for
+// do not suffice; otherwise 0. Any smaller number makes the same mesh.
+std::size_t enoughInstead(const Prepared& original, const RemeshOptions& options);
 
 // Throws CANCELLED.
 Remeshed remeshOriginal(const Prepared& original, const RunSettings& settings,

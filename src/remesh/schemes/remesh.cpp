@@ -83,8 +83,14 @@ RemeshOutcome remeshToQuads(Plan plan, const TriangleMesh& input, const RemeshOp
   const Progress& progress = run.progress;
   const RemeshOptions options = optionsForQuads(wanted);
   std::vector<std::unique_ptr<Prepared>> originals;  // all of the same surface
+  // Where pieces or handles need more vertices, all smaller numbers make the same mesh.
+  struct {
+    std::size_t most = 0;
+    std::optional<WorkingMesh> mesh = {};
+  } raised;
   // The map is made on the first mesh, pairs on the meshes that may follow.
   const auto triangles = [&](std::size_t vertices) {
+    if (raised.mesh && vertices <= raised.most) return *raised.mesh;
     const double begin = originals.empty() ? 0 : kMapShare * (1 + double(originals.size()) / 4);
     const double end = originals.empty() ? kMapShare : begin + kMapShare / 4;
     const Progress stretch = progress.part(begin, std::min(end, 1.0));
@@ -93,11 +99,14 @@ RemeshOutcome remeshToQuads(Plan plan, const TriangleMesh& input, const RemeshOp
     originals.push_back(std::make_unique<Prepared>(std::move(copy), options, stretch));
     OriginalTree tree(originals.back()->surface(), &input);
     const Bodies bodies(input, options.bodies);
-    const RunSettings settings{options, 0,      quantumOf(input),       nullptr,
-                               tree,    bodies, crossingsAfter(options)};
+    // Quads are made on the surface, not of its triangles: where too many of these meet, they stay.
+    const CrossingRule crossings =
+        options.repair == Repair::Off ? CrossingRule::Leave : CrossingRule::MendInPlace;
+    const RunSettings settings{options, 0, quantumOf(input), nullptr, tree, bodies, crossings};
     Remeshed remeshed = remeshOriginal(*originals.back(), settings, stretch);
     remeshed.mesh.compact();
     stretch.phase("quads", 1, 1);
+    if (enoughInstead(*originals.back(), options) > 0) raised = {vertices, remeshed.mesh};
     return std::move(remeshed.mesh);
   };
   const bool isHalf = !options.mirrors.planes.empty();

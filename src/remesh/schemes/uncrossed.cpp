@@ -77,14 +77,21 @@ Uncrossed madeAnew(Run& run, std::size_t vertices, std::unique_ptr<CrossingGuard
   return {std::move(guard), isReached, crossing};
 }
 
-Uncrossed uncrossed(Run& run, std::size_t vertices) {
+// Mends triangles where they are, if no more than `most` meet others; some may be left.
+Uncrossed mended(Run& run, std::size_t vertices, std::size_t most) {
   std::unique_ptr<CrossingGuard> guard = guardOf(run);
   std::vector<Face> crossed = guard->crossing();
   if (crossed.empty()) return {std::move(guard), true, 0};
-  if (uncross(run, std::move(crossed)) == 0) {
-    fires("uncrossed: mended");
-    return {std::move(guard), finishUncrossed(run, vertices), 0};
-  }
+  if (crossed.size() > most) return {std::move(guard), false, crossed.size()};
+  const std::size_t left = uncross(run, std::move(crossed));
+  if (left > 0) return {std::move(guard), false, left};
+  fires("uncrossed: mended");
+  return {std::move(guard), finishUncrossed(run, vertices), 0};
+}
+
+Uncrossed uncrossed(Run& run, std::size_t vertices) {
+  Uncrossed result = mended(run, vertices, run.mesh.mesh().faceCount());
+  if (result.crossing == 0) return result;
   fires("uncrossed: made anew");
   return madeAnew(run, vertices, startAnew(run, vertices));
 }
@@ -102,6 +109,18 @@ Uncrossed withoutNeedles(Run& run, std::size_t vertices, Uncrossed result) {
 
 Uncrossed keepUncrossed(Run& run, std::size_t vertices) {
   return withoutNeedles(run, vertices, uncrossed(run, vertices));
+}
+
+Uncrossed mendUncrossed(Run& run, std::size_t vertices) {
+  constexpr std::size_t kMostOfMesh = 8;  // of more triangles that meet others, some always do
+  return mended(run, vertices, run.mesh.mesh().faceCount() / kMostOfMesh);
+}
+
+void makeThinned(Run& run, std::size_t vertices) {
+  reproject(run);
+  run.asked.rule = lenient(run);
+  run.mesh = WorkingMesh(run.mesh.surface());
+  makeAnew(run, vertices);
 }
 
 Uncrossed makeUncrossed(Run& run, std::size_t vertices) {

@@ -18,8 +18,16 @@ struct Uncrossed {
 // original by steps that add no intersection, so that none is left that the original lacks.
 Uncrossed keepUncrossed(Run& run, std::size_t vertices);
 
-// The same in place of a scheme, from the original or its proxy, with steps that allow tighter
-// folds: for surfaces of so many pieces and handles that a scheme would try in vain for minutes.
+// The same without making the mesh anew, which may take long: triangles that cannot be mended where
+// they are still meet, as all do where a large share of the mesh does.
+Uncrossed mendUncrossed(Run& run, std::size_t vertices);
+
+// As keepUncrossed in place of a scheme, from the original or its proxy, with steps that allow
+// tighter folds: for surfaces of so many pieces and handles that a scheme would try in vain for
+// minutes.
 Uncrossed makeUncrossed(Run& run, std::size_t vertices);
+
+// The same without looking for crossings.
+void makeThinned(Run& run, std::size_t vertices);
 
 }  // namespace remesher

@@ -84,6 +84,26 @@ TEST_CASE("uncrossed: a surface of too many handles for its vertices is sound, w
   CHECK(remeshed(input, Repair::Solid, 700).positions.size() == 700);
 }
 
+TEST_CASE("uncrossed: for quads of too many handles for their vertices one mesh is made") {
+  RemeshOptions options;
+  options.vertices = 4;
+  options.symmetry = Symmetry::Off;
+  options.quality = Quality::Draft;
+  options.quads = true;
+  options.repair = Repair::Solid;
+  const TriangleMesh input = lattice();
+  std::size_t meshes = 0;
+  const Progress counting([&](std::string_view phase, double) {
+    meshes += phase == "quads";
+    return true;
+  });
+  const RemeshOutcome outcome = remeshSurface(input, Welding(input), options, counting);
+  CHECK(meshes == 1);
+  const MeshReport report = inspectMesh(outcome.mesh);
+  CHECK(report.boundaryEdges == 0);
+  CHECK(report.eulerCharacteristic == 2 - 2 * 28);
+}
+
 TEST_CASE("uncrossed: thin walls pass through each other nowhere where the input was repaired") {
   const TriangleMesh shell = thinShell();
   REQUIRE(selfIntersections(shell).empty());
