@@ -73,7 +73,8 @@ RemeshSceneResult remeshScene(std::vector<PlacedMesh> scene, const RemeshOptions
     parts.back().finer = std::move(placed.finer);
     if (asked.textures == Textures::Drop) dropTexcoords(parts.back().mesh);
   }
-  const RemeshOptions inPercent = withPercents(asked, parts);
+  RemeshOptions inPercent = withPercents(asked, parts);
+  limitEdges(inPercent);
   const RegionRun region(parts, inPercent);
   const RemeshOptions options = region.applied(inPercent);
   parts = joinedPlaces(std::move(parts), options);
@@ -131,7 +132,8 @@ RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
   io::Model model = readFor(outputName, input, asked);
   input.file = {input.file.name, {}};
   input.resources = {};
-  const RemeshOptions inPercent = withPercents(asked, model.parts);
+  RemeshOptions inPercent = withPercents(asked, model.parts);
+  limitEdges(inPercent);
   const RegionRun region(model.parts, inPercent);
   const RemeshOptions options = region.applied(inPercent);
   model.isExact = options.repair != Repair::Off;

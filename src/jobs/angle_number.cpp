@@ -9,6 +9,7 @@
 #include "base/fires.h"
 #include "base/legible.h"
 #include "base/place.h"
+#include "jobs/checks/wanted_check.h"
 #include "jobs/fewest_vertices.h"
 #include "jobs/open_number.h"
 #include "measure/hausdorff.h"
@@ -42,7 +43,18 @@ bool hasAngle(const RemeshOutcome& made, double angle) {
   return inspectMesh(made.mesh).minAngle.worst >= angle;
 }
 
-RemeshOptions withoutAngle(RemeshOptions options) {
+// Whether hardly an edge or an angle is not as wanted.
+bool keepsLimits(const TriangleMesh& mesh, const RemeshOptions& options) {
+  const WantedReport wanted = wantedOf(mesh, options);
+  const auto isKept = [](const std::optional<WantedFigure>& figure) {
+    return !figure || figure->kept >= 100 * (1 - kFewSmall);
+  };
+  return isKept(wanted.minEdge) && isKept(wanted.maxEdge) && isKept(wanted.minAngle);
+}
+
+RemeshOptions withoutLimits(RemeshOptions options) {
+  options.minEdge.reset();
+  options.maxEdge.reset();
   options.minAngle.reset();
   return options;
 }
@@ -54,11 +66,10 @@ double seenAway(const TriangleMesh& input, const RemeshOutcome& made) {
 }
 
 // away: as seenAway gives it.
-Warning awayForAngle(double away) {
-  return {"SHAPE_TAKES_MORE",
-          "With the smallest angle that is asked for, the surface is up to " +
-              inDigits(100 * kSeen * away, kDigitsAway) +
-              " % of the diagonal away. Ask for more vertices, or a smaller angle."};
+Warning awayFor(const std::string& limits, double away, const char* hint) {
+  return {"SHAPE_TAKES_MORE", "With " + limits + " that is asked for, the surface is up to " +
+                                  inDigits(100 * kSeen * away, kDigitsAway) +
+                                  " % of the diagonal away. " + hint};
 }
 
 }  // namespace
@@ -76,7 +87,8 @@ bool leadsByAngle(const RemeshOptions& options) {
 }
 
 bool limitsAngle(const RemeshOptions& options) {
-  return options.minAngle && !options.minEdge && !options.maxEdge && hasNumber(options) &&
+  const bool limitsEdges = options.minEdge || options.maxEdge;
+  return options.minAngle && (options.edgeLength || (!limitsEdges && hasNumber(options))) &&
          options.prefer == Prefer::Auto && options.scheme == Scheme::Best && !options.quads &&
          !options.maxError && options.bodies.empty();
 }
@@ -85,16 +97,21 @@ RemeshOutcome remeshAtAngle(const TriangleMesh& input, Welding welding,
                             const RemeshOptions& options, const Progress& progress) {
   if (!isFaceted(buildMesh(input)))
     return remeshSurface(input, std::move(welding), options, progress);
-  RemeshOutcome own = remeshSurface(input, welding, withoutAngle(options), progress);
-  if (hasAngle(own, *options.minAngle)) return own;
+  RemeshOutcome own = remeshSurface(input, welding, withoutLimits(options), progress);
+  const bool isKept =
+      options.edgeLength ? keepsLimits(own.mesh, options) : hasAngle(own, *options.minAngle);
+  if (isKept) return own;
   RemeshOutcome limited = remeshSurface(input, std::move(welding), options, progress.part(1, 1));
-  const bool isDented = own.prefer == Prefer::Shape && seenAway(input, limited) > kMostSeen;
-  return isDented ? std::move(own) : std::move(limited);
+  const double away = own.prefer == Prefer::Shape ? seenAway(input, limited) : 0;
+  const bool isDented = away > kMostSeen;
+  if (isDented && options.edgeLength)
+    limited.warnings.push_back(awayFor("the length of edges", away, "Ask for shorter edges."));
+  return isDented && !options.edgeLength ? std::move(own) : std::move(limited);
 }
 
 RemeshOutcome remeshToAngle(const TriangleMesh& input, Welding welding,
                             const RemeshOptions& options, const Progress& progress) {
-  const RemeshOptions unlimited = withoutAngle(options);
+  const RemeshOptions unlimited = withoutLimits(options);
   RemeshOutcome made = leavesNumberOpen(unlimited)
                            ? remeshAtOpenNumber(input, welding, unlimited, progress)
                            : remeshSurface(input, welding, unlimited, progress);
@@ -110,7 +127,7 @@ RemeshOutcome remeshToAngle(const TriangleMesh& input, Welding welding,
     numbered.vertices = Index(next);
     if (hasShape) {
       RemeshOutcome same =
-          remeshSurface(input, welding, withoutAngle(numbered), progress.part(1, 1));
+          remeshSurface(input, welding, withoutLimits(numbered), progress.part(1, 1));
       if (same.prefer == Prefer::Shape && hasAngle(same, *options.minAngle)) {
         best = std::move(same);
         nearest = 0;
@@ -133,7 +150,9 @@ RemeshOutcome remeshToAngle(const TriangleMesh& input, Welding welding,
   if (!best) return made;
   if (!keepsAngle(*best)) fires("angle number: no number keeps the angle");
   if (best->vertices > own) best->warnings.push_back(moreForAngle(best->vertices, own));
-  if (hasShape && nearest > 1) best->warnings.push_back(awayForAngle(nearest));
+  if (hasShape && nearest > 1)
+    best->warnings.push_back(
+        awayFor("the smallest angle", nearest, "Ask for more vertices, or a smaller angle."));
   return std::move(*best);
 }
 

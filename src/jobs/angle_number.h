@@ -13,11 +13,12 @@ namespace remesher {
 // Whether the wanted angle decides the number of vertices.
 bool leadsByAngle(const RemeshOptions& options);
 
-// Whether a smallest angle is all that is wanted beside a number.
+// Whether a smallest angle is all that is wanted beside a number, or edges of a mean length as
+// well.
 bool limitsAngle(const RemeshOptions& options);
 
-// With a number of vertices. For a part made of facets, takes the mesh without the limit if that
-// keeps it, or if the mesh within the limit would visibly dent the part.
+// For a part made of facets, takes the mesh without the limits if that keeps them, or, with a
+// number of vertices, if the mesh within the limit would visibly dent the part.
 RemeshOutcome remeshAtAngle(const TriangleMesh& input, Welding welding,
                             const RemeshOptions& options, const Progress& progress);
 

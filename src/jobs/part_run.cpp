@@ -126,7 +126,8 @@ UncrossedOutcome uncrossedAsShown(const ShownMesh& part, const PartTarget& targe
   const auto isReplacedBy = [&](Run run, Prefer prefer) {
     options.prefer = prefer;
     other = runOn({part.mesh, Welding(part.mesh), part.place}, run, options, progress);
-    const bool isOfNumber = other.vertices == made.vertices || leadsByEdges(options);
+    const bool isFree = leadsByEdges(options) || (options.edgeLength && wantsOfEach(options));
+    const bool isOfNumber = isFree || other.vertices == made.vertices;
     return isOfNumber && mayReplace(part.mesh, made, other);
   };
   const Prefer asked = options.prefer;

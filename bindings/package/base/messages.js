@@ -150,7 +150,8 @@
  * @property {number} maxAngle The largest angle of all, degrees.
  * @property {number} valence6 Percent of the interior vertices with six neighbours.
  * @property {QuadReport} [quads] Only for a mesh of quads alone.
- * @property {Wanted} [wanted] Of a result, if `minEdge`, `maxEdge` or `minAngle` was given.
+ * @property {Wanted} [wanted] Of a result, if `minEdge`, `maxEdge` or `minAngle` was given;
+ *   `edgeLength` with `minAngle` limits edges, too.
  */
 
 /**

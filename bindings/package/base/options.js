@@ -76,7 +76,8 @@ export const optionTable = [
     excludes: { others: { edgeLength: true }, why: 'each sets the number' },
     help: 'the number of vertices as a share of the input’s' },
   { name: 'edgeLength', flag: '--edge-length L', type: 'number', above: 0, unit: 'model units',
-    help: 'the number of vertices from a mean edge length' },
+    help: 'the number of vertices from a mean edge length; with --min-angle each edge is to have '
+      + '0.4 to 2 times that length, unless limits of edges or --max-error are given' },
   { name: 'minEdge', flag: '--min-edge L', type: 'number', above: 0, unit: 'model units',
     excludes: ofIsotropic,
     help: 'no edge is to be shorter; where that cannot be the report says how many are, and where. '

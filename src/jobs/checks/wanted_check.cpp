@@ -54,6 +54,14 @@ class Tally {
 
 struct Tallies {
   Tally shortest, longest, angle;
+
+  explicit Tallies(const RemeshOptions& options)
+      : shortest(options.minEdge.value_or(0)),
+        longest(options.maxEdge.value_or(0)),
+        angle(options.minAngle.value_or(0)) {}
+
+  void add(const TriangleMesh& mesh, const Eigen::Matrix3d& toWorld, const RemeshOptions& options);
+  WantedReport report(const RemeshOptions& options) const;
 };
 
 void addEdges(const TriangleMesh& mesh, const Eigen::Matrix3d& toWorld, Tallies& tallies,
@@ -82,6 +90,20 @@ void addAngles(const TriangleMesh& mesh, const Eigen::Matrix3d& toWorld, Tally& 
     tally.add(angle, angle >= wanted, angle < tally.worst(),
               [&] { return Vec3((at[0] + at[1] + at[2]) / 3); });
   }
+}
+
+void Tallies::add(const TriangleMesh& mesh, const Eigen::Matrix3d& toWorld,
+                  const RemeshOptions& options) {
+  if (options.minEdge || options.maxEdge) addEdges(mesh, toWorld, *this, options);
+  if (options.minAngle) addAngles(mesh, toWorld, angle, *options.minAngle);
+}
+
+WantedReport Tallies::report(const RemeshOptions& options) const {
+  WantedReport report;
+  if (options.minEdge) report.minEdge = shortest.figure();
+  if (options.maxEdge) report.maxEdge = longest.figure();
+  if (options.minAngle) report.minAngle = angle.figure();
+  return report;
 }
 
 double areaOf(const std::vector<io::Part>& parts) {
@@ -153,23 +175,20 @@ void checkWanted(const RemeshOptions& options) {
                 "Leave room between them: maxEdge at least twice minEdge.");
 }
 
+WantedReport wantedOf(const TriangleMesh& mesh, const RemeshOptions& options) {
+  Tallies tallies(options);
+  tallies.add(mesh, Eigen::Matrix3d::Identity(), options);
+  return tallies.report(options);
+}
+
 std::optional<WantedReport> wantedOf(const std::vector<io::Part>& result,
                                      const RemeshOptions& options) {
   if (!wantsOfEach(options)) return {};
   const std::vector<PartPlace> places = placesOf(result);
-  Tallies tallies{Tally(options.minEdge.value_or(0)), Tally(options.maxEdge.value_or(0)),
-                  Tally(options.minAngle.value_or(0))};
-  for (std::size_t n = 0; n < result.size(); ++n) {
-    if (!result[n].finer.empty()) continue;
-    const Eigen::Matrix3d toWorld = places[n].toWorld.linear();
-    if (options.minEdge || options.maxEdge) addEdges(result[n].mesh, toWorld, tallies, options);
-    if (options.minAngle) addAngles(result[n].mesh, toWorld, tallies.angle, *options.minAngle);
-  }
-  WantedReport report;
-  if (options.minEdge) report.minEdge = tallies.shortest.figure();
-  if (options.maxEdge) report.maxEdge = tallies.longest.figure();
-  if (options.minAngle) report.minAngle = tallies.angle.figure();
-  return report;
+  Tallies tallies(options);
+  for (std::size_t n = 0; n < result.size(); ++n)
+    if (result[n].finer.empty()) tallies.add(result[n].mesh, places[n].toWorld.linear(), options);
+  return tallies.report(options);
 }
 
 std::vector<Warning> wantedMissed(const MeshReport& output, const std::vector<io::Part>& result,

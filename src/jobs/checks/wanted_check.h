@@ -16,6 +16,9 @@ namespace remesher {
 // Throws INVALID_OPTION for limits out of range, or that contradict each other.
 void checkWanted(const RemeshOptions& options);
 
+// Of a mesh by itself.
+WantedReport wantedOf(const TriangleMesh& mesh, const RemeshOptions& options);
+
 // Lengths are measured in the world, each part at its place. None if nothing was wanted.
 std::optional<WantedReport> wantedOf(const std::vector<io::Part>& result,
                                      const RemeshOptions& options);

@@ -2,6 +2,7 @@
 #include "jobs/parts/part_lengths.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -44,6 +45,15 @@ RemeshOptions withPercents(RemeshOptions options, double diagonal) {
   toPercent(lengths.gap, options.gap, diagonal);
   toPercent(lengths.dropBelow, options.dropBelow, diagonal);
   return options;
+}
+
+void limitEdges(RemeshOptions& options) {
+  constexpr double kShortest = 0.4, kLongest = 2;
+  if (!options.edgeLength || !options.minAngle || options.maxError) return;
+  const double mean = *options.edgeLength;
+  const double least = options.minEdge.value_or(mean), most = options.maxEdge.value_or(mean);
+  if (!options.minEdge) options.minEdge = kShortest * std::min(mean, most);
+  if (!options.maxEdge) options.maxEdge = kLongest * std::max(mean, least);
 }
 
 RemeshOptions withPercents(const RemeshOptions& options, const std::vector<io::Part>& parts) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Options in percent of the bounding box diagonal that the caller gave as lengths in the world: in
-// percent of all parts together, and of each part, whose diagonal in the world is another.
+// percent of all parts together, and of each part, whose diagonal in the world is another. And the
+// limits of edges that follow from their mean length.
 #pragma once
 
 #include <vector>
@@ -20,6 +21,11 @@ double growthOf(const Transform& toWorld);
 // The options with their lengths in percent of such a diagonal as well.
 RemeshOptions withPercents(RemeshOptions options, double diagonal);
 RemeshOptions withPercents(const RemeshOptions& options, const std::vector<io::Part>& parts);
+
+// A mean length of edges together with a smallest angle, as solvers want them, limits each edge as
+// well: to a length from 0.4 to 2 times the mean, unless the caller sets limits. An error bound may
+// need shorter edges.
+void limitEdges(RemeshOptions& options);
 
 // What options of a part are percent of: the part's own diagonal.
 RemeshOptions withPercentsOf(const TriangleMesh& mesh, double growth, RemeshOptions options);

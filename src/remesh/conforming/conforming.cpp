@@ -84,9 +84,9 @@ void balance(FacetedMesh& mesh) {
 
 std::unique_ptr<FacetedMesh> makeConforming(const BuiltMesh& original,
                                             const HalfedgeData<char>& seams, std::size_t positions,
-                                            double depth) {
-  auto mesh = std::make_unique<FacetedMesh>(original, seams, depth);
-  if (mesh->hasOpenSeam() || (depth > 0 && !mesh->hasBent())) return nullptr;
+                                            const FacetLimits& limits) {
+  auto mesh = std::make_unique<FacetedMesh>(original, seams, limits);
+  if (mesh->hasOpenSeam() || (limits.depth > 0 && !mesh->hasBent())) return nullptr;
   thinOut(*mesh);
   // Vertices of sheets that coincide may come to lie in one place.
   constexpr int kMostRounds = 4;

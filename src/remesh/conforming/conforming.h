@@ -15,6 +15,6 @@ namespace remesher {
 // or where rounding turns triangles over.
 std::unique_ptr<FacetedMesh> makeConforming(const BuiltMesh& original,
                                             const HalfedgeData<char>& seams, std::size_t positions,
-                                            double depth = 0);
+                                            const FacetLimits& limits = {});
 
 }  // namespace remesher

@@ -24,9 +24,10 @@ constexpr double kUnrolledTolerance = 4;
 
 }  // namespace
 
-FacetedMesh::FacetedMesh(const BuiltMesh& original, const HalfedgeData<char>& seams, double depth)
+FacetedMesh::FacetedMesh(const BuiltMesh& original, const HalfedgeData<char>& seams,
+                         const FacetLimits& limits)
     : original_(original),
-      depth_(depth),
+      limits_(limits),
       mesh_(original.mesh),
       positions_(original.positions),
       at_(mesh_.vertexCapacity()),
@@ -58,7 +59,7 @@ void FacetedMesh::unroll(const HalfedgeData<char>& seams) {
     if (mesh_.twin(h)) fixed[mesh_.twin(h)] = 1;
   }
   const double tolerance = kUnrolledTolerance * flatTolerance(mesh_, positions_);
-  unrolled_ = unrollFacets(mesh_, positions_, ownFacet_, fixed, depth_, tolerance);
+  unrolled_ = unrollFacets(mesh_, positions_, ownFacet_, fixed, depth(), tolerance);
   ownFacet_ = unrolled_.regionOf;
   faces_.assign(unrolled_.isBent.size(), {});
   for (Index i = 0; i < mesh_.faceCapacity(); ++i)

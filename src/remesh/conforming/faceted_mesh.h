@@ -21,12 +21,17 @@ namespace remesher {
 // inside a facet it is free.
 enum class FacetRole : char { Free, OnLine, Corner };
 
+// Of edges, in model units: how far they may be from the original where facets are unrolled (with 0
+// none are), and from which length on they are divided first.
+struct FacetLimits {
+  double depth = 0, longest = kInfinity;
+};
+
 class FacetedMesh {
  public:
-  // seams: edges that stay edges, even within a plane. depth: how far edges may be from the
-  // original where facets are unrolled, model units; with 0 none are. The original must outlive the
-  // object.
-  FacetedMesh(const BuiltMesh& original, const HalfedgeData<char>& seams, double depth = 0);
+  // seams: edges that stay edges, even within a plane. The original must outlive the object.
+  FacetedMesh(const BuiltMesh& original, const HalfedgeData<char>& seams,
+              const FacetLimits& limits = {});
   FacetedMesh(const FacetedMesh&) = default;
   FacetedMesh& operator=(const FacetedMesh&) = delete;
 
@@ -59,7 +64,9 @@ class FacetedMesh {
     known_[v] = {};
   }
   // How far edges through unrolled facets may be from them.
-  double depth() const { return depth_; }
+  double depth() const { return limits_.depth; }
+  // From which length on edges are divided first.
+  double longest() const { return limits_.longest; }
   // Whether an edge through the facet would be farther from it than it may be.
   bool isDeep(Vertex a, Vertex b, Index facet) const;
   // 1 if the triangle is counterclockwise in the plane, as those of the original are.
@@ -128,7 +135,7 @@ class FacetedMesh {
   void put(Vertex v, FacetRole role, const Place& place);
 
   const BuiltMesh& original_;
-  double depth_;
+  FacetLimits limits_;
   FaceData<Index> ownFacet_;  // per face of the original
   Unrolled unrolled_;
   std::vector<Frame> frames_;

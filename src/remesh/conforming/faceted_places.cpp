@@ -98,7 +98,7 @@ bool FacetedMesh::isDeep(Vertex a, Vertex b, Index facet) const {
   if (!isBent(facet)) return false;
   const double way = (flat(b, facet) - flat(a, facet)).squaredNorm();
   const double chord = (positions_[b] - positions_[a]).squaredNorm();
-  return way - chord > 4 * depth_ * depth_;
+  return way - chord > 4 * depth() * depth();
 }
 
 SurfacePoint FacetedMesh::pointIn(Vertex v, Index facet) const {

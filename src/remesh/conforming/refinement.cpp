@@ -21,6 +21,8 @@ constexpr std::array<double, 3> kShares = {0.5, 0.4, 0.6};
 // Triangles away from the original count so much more. Not more than that: vertices that only bring
 // triangles nearer would leave needles between them.
 constexpr double kDeepMore = 3;
+// So do those with longer edges than there are to be.
+constexpr double kLongMore = 3;
 
 struct FacetCorners {
   std::array<Vec2, 3> at;
@@ -68,7 +70,9 @@ class FacetRefinement {
     std::size_t least = 0;
     for (std::size_t k = 1; k < 3; ++k)
       if (corners.length(k) < corners.length(least)) least = k;
-    const double size = radius * (isDeep(f) ? kDeepMore : 1);
+    double size = radius * (isDeep(f) ? kDeepMore : 1);
+    for (std::size_t k = 0; k < 3; ++k)
+      if (corners.length(k) > mesh_.longest()) size *= kLongMore;
     const auto isLine = [&](std::size_t k) {
       return mesh_.isLine(HalfedgeMesh::halfedge(f, int(k % 3)));
     };

@@ -79,10 +79,11 @@ bool isDrawnOn(const TriangleMesh& input) {
 }  // namespace
 
 std::optional<Followed> conformed(const BuiltMesh& original, const TriangleMesh& input,
-                                  std::size_t positions, Textures textures, double depth) {
+                                  std::size_t positions, Textures textures,
+                                  const FacetLimits& limits) {
   if (isDrawnOn(input)) return {};
   const HalfedgeData<char> seams = seamsOf(original, input, textures);
-  const std::unique_ptr<FacetedMesh> mesh = makeConforming(original, seams, positions, depth);
+  const std::unique_ptr<FacetedMesh> mesh = makeConforming(original, seams, positions, limits);
   if (!mesh) return {};
   const OriginalSurface surface(original, mesh->curves());
   Followed result = ConformedExtraction(*mesh, surface, input).run();

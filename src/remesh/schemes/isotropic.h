@@ -64,7 +64,7 @@ class Isotropic {
       : input_(input),
         options_(options),
         original_(std::move(plan), options_, progress),
-        comparison_(original_, input, options_.textures),
+        comparison_(original_, input, options_),
         tree_(original_.surface(), &input),
         bodies_(input, options_.bodies) {}
 

@@ -244,7 +244,8 @@ class SurfaceCandidates {
   bool areFacetsMeshed() {
     if (!conformed_)
       conformed_ = isFaceted(plan_.built)
-                       ? conformed(plan_.built, input_, vertices_, options_.textures)
+                       ? conformed(plan_.built, input_, vertices_, options_.textures,
+                                   {0, longestOfFacets(options_)})
                        : std::nullopt;
     return conformed_->has_value();
   }

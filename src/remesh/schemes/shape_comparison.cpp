@@ -168,11 +168,12 @@ bool ShapeComparison::isAllFacets() const {
 }
 
 ShapeComparison::ShapeComparison(const Prepared& original, const TriangleMesh& input,
-                                 Textures textures)
+                                 const RemeshOptions& options)
     : original_(original),
       input_(input),
-      textures_(textures),
-      isPlain_(isPlain(input, textures)),
+      textures_(options.textures),
+      longest_(longestOfFacets(options)),
+      isPlain_(isPlain(input, textures_)),
       unseen_(kSeen * original.surface().diagonal()) {}
 
 // Whether the original has flat sides, if only the ends of a turned part: there each dent shows.
@@ -267,7 +268,7 @@ std::optional<Followed>& ShapeComparison::simplified() {
 std::optional<Followed>& ShapeComparison::conforming() {
   if (std::exchange(isConforming_, true) || !isPart()) return conforming_;
   const BuiltMesh& built = original_.surface().built();
-  conforming_ = conformed(built, input_, original_.places(), textures_);
+  conforming_ = conformed(built, input_, original_.places(), textures_, {0, longest_});
   if (conforming_ && hasForShape() && !qualityOf(conforming_->mesh).isGood(kGoodIsotropic))
     unrollFacets();
   return conforming_;
@@ -295,7 +296,8 @@ void ShapeComparison::unrollFacets() {
 bool ShapeComparison::takeUnrolled(double farthest, const WantedAngles& wanted) {
   const BuiltMesh& built = original_.surface().built();
   const double depth = kChord * farthest * (kSeen * spreadOf(built));
-  std::optional<Followed> made = conformed(built, input_, original_.places(), textures_, depth);
+  std::optional<Followed> made =
+      conformed(built, input_, original_.places(), textures_, {depth, longest_});
   if (!made || made->away.farthest > 2 * depth) return false;
   const AngleQuality quality = qualityOf(made->mesh);
   if (quality.least < wanted.least || quality.mean < wanted.mean) return false;

@@ -23,7 +23,8 @@ bool isFaceted(const BuiltMesh& built);
 // The other candidates are made on first use.
 class ShapeComparison {
  public:
-  ShapeComparison(const Prepared& original, const TriangleMesh& input, Textures textures);
+  ShapeComparison(const Prepared& original, const TriangleMesh& input,
+                  const RemeshOptions& options);
 
   // Judges isotropic triangles before they are finished. Returns whether finishing them is in vain
   // because the simplified mesh is so much nearer.
@@ -83,8 +84,9 @@ class ShapeComparison {
   const Prepared& original_;
   const TriangleMesh& input_;
   Textures textures_;
-  bool isPlain_;   // no textures, no colours, no second group
-  double unseen_;  // the largest distance at any one point that is not seen, model units
+  double longest_;  // see longestOfFacets
+  bool isPlain_;    // no textures, no colours, no second group
+  double unseen_;   // the largest distance at any one point that is not seen, model units
   std::optional<bool> isOwn_, hasEnough_, isPart_, isIsotropicInstead_;
   Unfinished unfinished_ = Unfinished::Unknown;
   std::optional<Away> finished_;  // of the finished isotropic triangles

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "jobs/checks/wanted_check.h"
 #include "measure/hausdorff.h"
 #include "measure/mesh_report.h"
 #include "support/parts.h"
@@ -54,6 +55,24 @@ TEST_CASE("angle number: a mesh that keeps the angle anyway is the one without t
   const TriangleMesh cube = shapes::cube(1);
   CHECK(made(cube, 30).vertices == 8);
   CHECK(inspectMesh(made(cube, 30).mesh).minAngle.worst == doctest::Approx(45));
+}
+
+TEST_CASE(
+    "angle number: with a mean length edges keep their limits, where facets are narrow, too") {
+  // Rims of many short edges; a box, whose facets are wide enough for any edges.
+  for (const TriangleMesh& part : {shapes::drilledPlate(48, 0.5), shapes::cube(4)}) {
+    RemeshOptions options = withAngle(20);
+    options.edgeLength = 0.5;
+    options.minEdge = 0.2;
+    options.maxEdge = 1;
+    REQUIRE(limitsAngle(options));
+    const RemeshOutcome outcome = remeshAtAngle(part, Welding(part), options, {});
+    const WantedReport wanted = wantedOf(outcome.mesh, options);
+    CHECK(wanted.minEdge->kept >= 99.9);
+    CHECK(wanted.maxEdge->kept >= 99.9);
+    CHECK(wanted.minAngle->kept >= 99.9);
+    CHECK((outcome.prefer == Prefer::Shape) == (part.positions.size() == 8));
+  }
 }
 
 TEST_CASE("angle number: with a number of vertices, too, the facets of a part keep its shape") {

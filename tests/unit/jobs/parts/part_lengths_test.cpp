@@ -58,6 +58,25 @@ TEST_CASE("part lengths: options in percent stay as they are, and so does nothin
   CHECK_FALSE(withPercents(options, std::vector<io::Part>{}).weld.has_value());
 }
 
+TEST_CASE("part lengths: a mean length of edges limits each edge where angles are limited") {
+  RemeshOptions options;
+  options.edgeLength = 5;
+  const auto limited = [&] {
+    RemeshOptions own = options;
+    limitEdges(own);
+    return own;
+  };
+  CHECK_FALSE(limited().maxEdge.has_value());
+  options.minAngle = 20;
+  CHECK(*limited().minEdge == doctest::Approx(2));
+  CHECK(*limited().maxEdge == doctest::Approx(10));
+  options.maxEdge = 1;
+  CHECK(*limited().minEdge == doctest::Approx(0.4));
+  CHECK(*limited().maxEdge == 1);
+  options.maxError = 0.1;
+  CHECK_FALSE(limited().minEdge.has_value());
+}
+
 TEST_CASE(
     "part lengths: places nearer than a length in the world are joined, however it is shown") {
   for (const double size : {0.001, 1.0, 1000.0}) {

@@ -211,7 +211,7 @@ TEST_CASE("conforming: unrolled facets get wide angles, and edges stay as near a
     const BuiltMesh built = buildMesh(wanted.part);
     const double vertices = wanted.times * double(built.mesh.vertexCount());
     const HalfedgeData<char> seams(built.mesh.halfedgeCapacity(), 0);
-    const auto unrolled = makeConforming(built, seams, std::size_t(vertices), wanted.depth);
+    const auto unrolled = makeConforming(built, seams, std::size_t(vertices), {wanted.depth});
     const auto facets = conforming(built, vertices);
     REQUIRE(unrolled);
     CHECK(check(unrolled->mesh()) == "");
@@ -225,5 +225,5 @@ TEST_CASE("conforming: unrolled facets get wide angles, and edges stay as near a
 TEST_CASE("conforming: without facets that bend little nothing is unrolled") {
   const BuiltMesh built = buildMesh(shapes::boxWithHole());
   const HalfedgeData<char> seams(built.mesh.halfedgeCapacity(), 0);
-  CHECK_FALSE(makeConforming(built, seams, 100, 0.1));
+  CHECK_FALSE(makeConforming(built, seams, 100, {0.1}));
 }
