@@ -27,10 +27,6 @@ void forEach(const val& array, Visit visit) {
   for (unsigned i = 0; i < length; ++i) visit(array[i]);
 }
 
-File fileFrom(const val& object) {
-  return {object["name"].as<std::string>(), copied<std::uint8_t>(object["bytes"])};
-}
-
 val viewOf(std::span<std::uint8_t> bytes) {
   return val(typed_memory_view(bytes.size(), bytes.data()));
 }
@@ -67,8 +63,8 @@ class OpenSource : public ByteSource {
   val blocks_;
 };
 
-// The main file of a request stays outside of WebAssembly's memory, which its mesh needs.
-File mainFileFrom(const val& object) {
+// The files of a request stay outside of WebAssembly's memory, which the mesh needs.
+File fileFrom(const val& object) {
   File file{object["name"].as<std::string>(), {}};
   if (const val blocks = object["blocks"]; !blocks.isUndefined())
     file.source = std::make_shared<OpenSource>(blocks);
@@ -114,13 +110,14 @@ std::vector<PlacedMesh> sceneFrom(const val& list) {
 }
 
 FileBundle bundleFrom(const val& object) {
-  FileBundle bundle{mainFileFrom(object), {}, {}};
+  FileBundle bundle{fileFrom(object), {}, {}};
   forEach(object["resources"],
           [&](const val& resource) { bundle.resources.push_back(fileFrom(resource)); });
   if (const val pictures = object["pictures"]; !pictures.isUndefined())
-    forEach(pictures, [&](const val& p) {
+    forEach(pictures, [&](val p) {
       bundle.pictures.push_back({p["name"].as<std::string>(), "", p["width"].as<Index>(),
                                  p["height"].as<Index>(), copied<std::uint8_t>(p["texels"])});
+      p.set("texels", val::undefined());  // a quarter of a gigabyte, of an image of 8k
     });
   return bundle;
 }

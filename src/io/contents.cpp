@@ -213,8 +213,8 @@ Content contentInBlocks(const File& file) {
   const File begin = beginOf(file, kHeaderLooked);
   if (isBinaryStl(asText(begin), fileSize(file))) return {".stl", {}, {}};
   const Content content = contentOf(begin);
-  const bool isRead =
-      content.extension == ".obj" || (content.extension == ".ply" && isBinaryPly(asText(begin)));
+  const bool isRead = content.extension == ".glb" || content.extension == ".obj" ||
+                      (content.extension == ".ply" && isBinaryPly(asText(begin)));
   return isRead ? content : Content{};
 }
 

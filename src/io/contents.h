@@ -18,7 +18,7 @@ struct Content {
 Content contentOf(const File& file);
 
 // What a file with a source is, if it is of a format that is read in blocks: binary PLY and
-// STL, OBJ.
+// STL, OBJ, GLB.
 Content contentInBlocks(const File& file);
 
 }  // namespace remesher::io

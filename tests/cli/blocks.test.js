@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Files that are read in blocks, never whole: binary PLY and STL, also from streams, pipes and .gz;
-// texts, an OBJ in blocks, of which JavaScript holds only the beginning. Read whole, they give the
-// same bytes.
+// GLB and texts, an OBJ in blocks, of which JavaScript holds only the beginning. Read whole, they
+// give the same bytes.
 import assert from 'node:assert/strict';
 import { execFileSync, spawnSync } from 'node:child_process';
 import {
@@ -48,7 +48,8 @@ const numbered = { positions: Array.from({ length: shape.positions.length / 3 },
   Array.from(shape.positions.subarray(3 * v, 3 * v + 3), Math.fround)),
 triangles: Array.from({ length: shape.indices.length / 3 }, (_, t) =>
   Array.from(shape.indices.subarray(3 * t, 3 * t + 3))) };
-const texts = { 'torus.obj': Buffer.from(objText(numbered)),
+const asGlb = await convertFile(stl(shape), { name: 'torus.stl', output: 'glb' });
+const begun = { 'torus.glb': Buffer.from(asGlb.bytes), 'torus.obj': Buffer.from(objText(numbered)),
   'torus.off': Buffer.from(offText(shape)) };
 for (const [name, bytes] of Object.entries(files)) writeFileSync(join(top, name), bytes);
 const options = { vertices: 400, quality: 'draft' };
@@ -134,8 +135,8 @@ for (const [name, bytes] of Object.entries(files)) {
   });
 }
 
-for (const [name, bytes] of Object.entries(texts)) {
-  test(`${name}, of which only the core holds all, gives the same bytes`, async () => {
+for (const [name, bytes] of Object.entries(begun)) {
+  test(`${name}, of which JavaScript holds the beginning, gives the same bytes`, async () => {
     const request = { name, output: 'out.ply' };
     const whole = Buffer.from((await convertFile(bytes, request)).bytes);
     for (const [way, given] of Object.entries(waysOf(bytes))) {
@@ -154,7 +155,7 @@ for (const [name, bytes] of Object.entries(texts)) {
 }
 
 test('a library that a long OBJ names far behind its beginning is read, also from a .gz', () => {
-  const far = Buffer.concat([texts['torus.obj'], Buffer.from('mtllib far.mtl\nusemtl red\n'
+  const far = Buffer.concat([begun['torus.obj'], Buffer.from('mtllib far.mtl\nusemtl red\n'
     + 'f 1 2 3\n')]);
   writeFileSync(join(top, 'far.mtl'), 'newmtl red\nKd 1 0 0\n');
   writeFileSync(join(top, 'far.obj'), far);
@@ -238,8 +239,8 @@ test('only what nothing but the core looks into is read in blocks', () => {
   const begins = (/** @type {Uint8Array} */ bytes, size = bytes.length) =>
     isReadInBlocks(Uint8Array.from(bytes.subarray(0, 65536)), size);
   const { 'torus.ply': ply, 'torus.stl': facets } = files;
-  assert.ok(begins(ply) && begins(facets) && begins(texts['torus.obj']));
-  assert.ok(!begins(texts['torus.off']));
+  assert.ok(begins(ply) && begins(facets) && begins(begun['torus.obj']));
+  assert.ok(!begins(begun['torus.off']));
   assert.ok(!begins(facets, facets.length + 1), 'no length of an STL');
   const text = Buffer.from(ply.toString('latin1').replace('binary_little_endian', 'ascii'),
     'latin1');

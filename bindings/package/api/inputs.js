@@ -3,7 +3,7 @@
 // the copies can be handed over to a worker.
 
 import { abortError, RemeshError } from '../base/errors.js';
-import { bytesLooked, isLeftToCore } from '../base/contents.js';
+import { bytesAsked, bytesLooked, isLeftToCore } from '../base/contents.js';
 import { withoutGz } from '../base/formats.js';
 import { legible } from '../base/legible.js';
 import { OpenFile } from '../base/open_file.js';
@@ -250,7 +250,9 @@ const allOf = async (source) => new OpenFile(isStream(source) ? (await collected
  * not. @param {Source} source @param {AbortSignal} [signal] */
 async function beginOf(source, signal) {
   if (isStream(source)) return (await collected(source, signal)).open();
-  const begin = new Uint8Array(await source.slice(0, bytesLooked).arrayBuffer());
+  const first = async (/** @type {number} */ count) =>
+    new Uint8Array(await source.slice(0, count).arrayBuffer());
+  const begin = await first(bytesAsked(await first(bytesLooked)));
   if (begin.length === source.size) return new OpenFile(begin);
   return isLeftToCore(begin)
     ? new OpenFile(begin, { blob: source, size: source.size }) : allOf(source);

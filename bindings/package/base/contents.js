@@ -20,21 +20,47 @@ export function isObj(bytes) {
   return /^[ \t\v\f]*(v|vt|vn|vp|f|l|p|o|g|s|mtllib|usemtl)[ \t]/.test(statement);
 }
 
+const viewOf = (/** @type {Uint8Array} */ { buffer, byteOffset, byteLength }) =>
+  new DataView(buffer, byteOffset, byteLength);
+
+/** Where the JSON of a GLB ends; 0 in other files. @param {Uint8Array} begin */
+const jsonEnd = (begin) => (begin.length >= 20 && beginOf(begin).startsWith('glTF')
+  ? 20 + viewOf(begin).getUint32(12, true) : 0);
+
+/** How many bytes at the beginning of a file JavaScript looks at: of a GLB all of its JSON, and the
+ * head of the chunk behind it. @param {Uint8Array} begin */
+export const bytesAsked = (begin) => Math.max(bytesLooked, jsonEnd(begin) + 8);
+
+/** Whether JavaScript needs nothing of a GLB but its JSON: no data to decompress, and no images in
+ * it. @param {Uint8Array} begin */
+function isPlainGlb(begin) {
+  const end = jsonEnd(begin);
+  if (end === 0 || begin.length < end) return false;
+  try {
+    const { images = [], extensionsUsed = [] } =
+      JSON.parse(new TextDecoder().decode(begin.subarray(20, end)));
+    return !/meshopt|draco/.test(String(extensionsUsed))
+      && images.every((/** @type {any} */ { bufferView }) => bufferView === undefined);
+  } catch {
+    return false;
+  }
+}
+
 /** Whether nothing but the core needs more of a file than its beginning: JavaScript unpacks ZIP
- * (3MF) and gzip, and reads glTF. @param {Uint8Array} begin */
+ * (3MF) and gzip, and reads what of glTF is compressed or an image. @param {Uint8Array} begin */
 export function isLeftToCore(begin) {
   const isZip = begin[0] === 0x50 && begin[1] === 0x4b;
   const isGzip = begin[0] === 0x1f && begin[1] === 0x8b;
-  return !isZip && !isGzip && !isGltf(begin);
+  return !isZip && !isGzip && (!isGltf(begin) || isPlainGlb(begin));
 }
 
 /** Whether the core reads a file in blocks, without ever holding all of it: an OBJ, a binary STL,
- * as long as its number of facets says, or a binary PLY.
+ * as long as its number of facets says, a binary PLY, or a GLB without images.
  * @param {Uint8Array} begin @param {number} size */
 export function isReadInBlocks(begin, size) {
-  if (isObj(begin)) return true;
+  if (isObj(begin) || isPlainGlb(begin)) return true;
   if (begin.length <= 84 || isGltf(begin)) return false;
-  const facets = new DataView(begin.buffer, begin.byteOffset).getUint32(80, true);
+  const facets = viewOf(begin).getUint32(80, true);
   if (size === 84 + 50 * facets) return true;
   return /^ply\n(?:[^]*?\n)?format[ \t]+binary_[^]*?\nend_header\n/.test(
     beginOf(begin).replaceAll('\r\n', '\n').replaceAll('\r', '\n'));

@@ -2,7 +2,7 @@
 // Bytes whose number nobody knows before the last of them: of a pipe, a stream or a packed file.
 // They are kept in pieces of one size, and put together only where JavaScript needs them all.
 
-import { bytesLooked, isLeftToCore } from './contents.js';
+import { bytesAsked, bytesLooked, isLeftToCore } from './contents.js';
 import { OpenFile } from './open_file.js';
 
 const pieceSize = 2 ** 22;
@@ -60,7 +60,8 @@ export class Pieces {
 
   /** The file: its first bytes and the pieces, if only the core needs all of it, else all bytes. */
   open() {
-    const begin = this.#first(Math.min(this.size, bytesLooked));
+    const first = this.#first(Math.min(this.size, bytesLooked));
+    const begin = this.#first(Math.min(this.size, bytesAsked(first)));
     return this.size > begin.length && isLeftToCore(begin)
       ? new OpenFile(begin, { pieces: this.#pieces, size: this.size })
       : new OpenFile(this.joined());

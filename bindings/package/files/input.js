@@ -6,7 +6,7 @@ import { constants } from 'node:fs';
 import { lstat, open, stat } from 'node:fs/promises';
 import { setTimeout as sleep } from 'node:timers/promises';
 
-import { bytesLooked, isLeftToCore, isReadInBlocks } from '../base/contents.js';
+import { bytesAsked, bytesLooked, isLeftToCore, isReadInBlocks } from '../base/contents.js';
 import { RemeshError } from '../base/errors.js';
 import { legible } from '../base/legible.js';
 import { OpenFile } from '../base/open_file.js';
@@ -69,8 +69,8 @@ async function drain(handle, path) {
 /** @param {string} path */
 function tooLarge(path) {
   return unreadable(path,
-    `it has more than ${largest} bytes (2 GiB), and only OBJ, binary PLY and STL are read in `
-      + 'blocks',
+    `it has more than ${largest} bytes (2 GiB), and only OBJ, binary PLY and STL, and GLB `
+      + 'without images, are read in blocks',
     'Convert it to binary PLY, or give the model in parts.');
 }
 
@@ -125,7 +125,8 @@ async function contentOf(handle, path) {
   const stats = await handle.stat(); // it may have been exchanged
   requireReadable(stats, path);
   if (!stats.isFile()) return drain(handle, path);
-  const begin = await beginOf(handle, Math.min(stats.size, bytesLooked));
+  const first = await beginOf(handle, Math.min(stats.size, bytesLooked));
+  const begin = await beginOf(handle, Math.min(stats.size, bytesAsked(first)));
   if (begin.length === stats.size) return new OpenFile(begin);
   if (stats.size > largest && !isReadInBlocks(begin, stats.size)) throw tooLarge(path);
   return isLeftToCore(begin) ? new OpenFile(begin, { fd: handle.fd, size: stats.size })

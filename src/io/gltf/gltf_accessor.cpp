@@ -2,16 +2,18 @@
 #include "io/gltf/gltf_accessor.h"
 
 #include <algorithm>
-#include <cstring>
 #include <limits>
 #include <string>
+
+#include "io/model/byte_reader.h"
 
 namespace remesher::io {
 namespace {
 
-// Elements in a buffer, one every `stride` bytes.
+// Elements in a file, one every `stride` bytes.
 struct Elements {
-  const std::uint8_t* first;
+  const File& file;
+  std::uint64_t begin;
   std::size_t stride;
   std::size_t count;
 };
@@ -75,22 +77,15 @@ Elements AccessorReader::locate(const ElementRange& range) const {
   if (range.bufferView < 0 || static_cast<std::size_t>(range.bufferView) >= views.size())
     fail("refers to a buffer view that is not there");
   const tinygltf::BufferView& view = views[range.bufferView];
-  const Bytes& buffer = document_.buffers[view.buffer];
+  const GltfBuffer& buffer = document_.buffers[view.buffer];
   const std::size_t stride = view.byteStride == 0 ? range.size : view.byteStride;
   if (stride < range.size) fail("has elements larger than their stride");
-  if (range.count == 0) return {buffer.data(), stride, 0};
+  if (range.count == 0) return {*buffer.file, 0, stride, 0};
   const bool isInside =
       range.byteOffset <= view.byteLength && range.size <= view.byteLength - range.byteOffset &&
       (range.count - 1) <= (view.byteLength - range.byteOffset - range.size) / stride;
   if (!isInside) fail("reaches beyond its buffer view");
-  return {buffer.data() + view.byteOffset + range.byteOffset, stride, range.count};
-}
-
-template <class Component>
-Component load(const std::uint8_t* bytes) {
-  Component value;
-  std::memcpy(&value, bytes, sizeof value);
-  return value;
+  return {*buffer.file, buffer.begin + view.byteOffset + range.byteOffset, stride, range.count};
 }
 
 // Calls `action` with a value of the C++ type of the component type.
@@ -127,12 +122,17 @@ template <class Value>
 std::vector<Value> decoded(const Elements& elements, const Encoding& encoding) {
   const auto width = static_cast<std::size_t>(encoding.components);
   std::vector<Value> values(elements.count * width);
+  ByteReader reader(elements.file);
+  reader.goTo(elements.begin);
   withComponentType(encoding.componentType, [&]<class Component>(Component) {
-    for (std::size_t i = 0; i < elements.count; ++i)
+    const std::size_t size = width * sizeof(Component);
+    for (std::size_t i = 0; i < elements.count; ++i) {
+      if (i > 0 && elements.stride > size) reader.next(elements.stride - size);
+      const std::uint8_t* const element = reader.next(size);
       for (std::size_t k = 0; k < width; ++k)
         values[i * width + k] = converted<Value>(
-            load<Component>(elements.first + i * elements.stride + k * sizeof(Component)),
-            encoding.normalized);
+            littleEndianAt<Component>(element + k * sizeof(Component)), encoding.normalized);
+    }
   });
   return values;
 }

@@ -12,30 +12,28 @@
 #include "base/legible.h"
 #include "io/gltf/gltf_references.h"
 #include "io/gltf/tree/gltf_extensions.h"
+#include "io/model/byte_reader.h"
 #include "io/model/resources.h"
 
 namespace remesher::io {
 namespace {
 
-constexpr std::uint32_t kGlbMagic = 0x46546C67;     // "glTF"
+constexpr std::string_view kGlbMagic = "glTF";
 constexpr std::uint32_t kJsonChunk = 0x4E4F534A;    // "JSON"
 constexpr std::uint32_t kBinaryChunk = 0x004E4942;  // "BIN\0"
 constexpr std::size_t kGlbHeader = 12;
 constexpr std::size_t kChunkHeader = 8;
+
+constexpr std::uint64_t kRangeBlock = 65536;  // bytes that are copied at once
 
 // Real files nest about ten deep; the limit keeps recursive JSON writers from overflowing the
 // stack.
 constexpr int kDeepestNesting = 256;
 
 struct Chunks {
-  std::span<const std::uint8_t> json;
-  std::optional<std::span<const std::uint8_t>> binary;
+  Bytes json;
+  std::optional<GltfBuffer> binary;
 };
-
-std::uint32_t littleEndian(std::span<const std::uint8_t> bytes, std::size_t at) {
-  return bytes[at] | bytes[at + 1] << 8 | bytes[at + 2] << 16 |
-         static_cast<std::uint32_t>(bytes[at + 3]) << 24;
-}
 
 void appendLittleEndian(Bytes& bytes, std::size_t value) {
   for (int shift = 0; shift < 32; shift += 8)
@@ -43,33 +41,35 @@ void appendLittleEndian(Bytes& bytes, std::size_t value) {
 }
 
 Chunks splitGlb(const GltfDocument& document) {
-  const std::span<const std::uint8_t> bytes = document.original.bytes;
+  ByteReader reader(document.original);
   const auto truncated = [&](const std::string& what) {
     document.fail(ErrorCode::ParseError, what, "Was it copied completely?");
   };
-  if (bytes.size() < kGlbHeader + kChunkHeader) truncated("the file ends within its header.");
-  if (littleEndian(bytes, 4) != 2)
+  const auto word = [&] { return littleEndianAt<std::uint32_t>(reader.next(4)); };
+  if (reader.size() < kGlbHeader + kChunkHeader) truncated("the file ends within its header.");
+  word();  // the magic
+  if (const std::uint32_t version = word(); version != 2)
     document.fail(ErrorCode::Unsupported,
-                  "the file is glTF " + std::to_string(littleEndian(bytes, 4)) + ", not 2.",
+                  "the file is glTF " + std::to_string(version) + ", not 2.",
                   "Convert it to glTF 2.0 first.");
-  const std::size_t length = littleEndian(bytes, 8);
-  if (length > bytes.size())
-    truncated("the file has " + std::to_string(bytes.size()) + " bytes, its header promises " +
+  const std::uint64_t length = word();
+  if (length > reader.size())
+    truncated("the file has " + std::to_string(reader.size()) + " bytes, its header promises " +
               std::to_string(length) + ".");
   Chunks chunks;
-  for (std::size_t at = kGlbHeader; at + kChunkHeader <= length;) {
-    const std::size_t size = littleEndian(bytes, at);
-    const std::uint32_t type = littleEndian(bytes, at + 4);
-    const bool isFirst = at == kGlbHeader;
-    at += kChunkHeader;
-    if (size > length - at) truncated("a chunk reaches beyond the end of the file.");
+  while (reader.at() + kChunkHeader <= length) {
+    const bool isFirst = reader.at() == kGlbHeader;
+    const std::uint32_t size = word();
+    const std::uint32_t type = word();
+    const std::uint64_t begin = reader.at();
+    if (size > length - begin) truncated("a chunk reaches beyond the end of the file.");
     if (isFirst && type != kJsonChunk)
       document.fail(ErrorCode::ParseError, "the first chunk of the file is not JSON.");
     if (isFirst)
-      chunks.json = bytes.subspan(at, size);
+      appendRange(chunks.json, {&document.original}, begin, size);
     else if (type == kBinaryChunk && !chunks.binary)
-      chunks.binary = bytes.subspan(at, size);
-    at += size;
+      chunks.binary = {&document.original, begin, size};
+    reader.goTo(begin + size);
   }
   return chunks;
 }
@@ -175,51 +175,51 @@ bool isNamedGlb(std::string_view name) {
                     [](char a, char b) { return a == (b >= 'A' && b <= 'Z' ? b - 'A' + 'a' : b); });
 }
 
-Bytes loadBuffer(const GltfDocument& document, std::size_t number, const Json& buffer,
-                 const std::optional<std::span<const std::uint8_t>>& chunk,
-                 const Resources& resources) {
-  const std::string where = "buffer " + std::to_string(number);
-  Bytes bytes;
+GltfBuffer findBuffer(GltfDocument& document, const Json& buffer,
+                      const std::optional<GltfBuffer>& chunk, const Resources& resources) {
+  const std::string where = "buffer " + std::to_string(document.buffers.size());
+  GltfBuffer found;
   if (!buffer.is_object() || !buffer.contains("uri")) {
-    if (number != 0 || !chunk)
+    if (!document.buffers.empty() || !chunk)
       document.fail(ErrorCode::ParseError, where + " has neither a URI nor the binary chunk.");
-    bytes.assign(chunk->data(), chunk->data() + chunk->size());
+    found = *chunk;
   } else {
     const std::string uri = buffer["uri"].is_string() ? buffer["uri"].get<std::string>() : "";
     if (isDataUri(uri)) {
       std::optional<Bytes> decoded = decodeDataUri(uri);
       if (!decoded) document.fail(ErrorCode::ParseError, where + " has a malformed data URI.");
-      bytes = std::move(*decoded);
+      found.file = &document.decoded.emplace_back(File{{}, std::move(*decoded)});
     } else {
-      const File* const file = resources.find(uri);
-      if (file == nullptr)
+      found.file = resources.find(uri);
+      found.name = percentDecoded(uri);
+      if (found.file == nullptr)
         document.fail(ErrorCode::MissingResource,
                       "it needs " + legible(uri) + ", which was not given.",
                       "Keep " + legible(uri) + " beside the file, or give both together.");
-      bytes = file->bytes;
     }
+    found.size = fileSize(*found.file);
   }
   const Json& length = buffer.is_object() ? buffer.value("byteLength", Json()) : Json();
   if (!length.is_number_unsigned())
     document.fail(ErrorCode::ParseError, where + " has no byteLength.");
-  if (length.get<std::uint64_t>() > bytes.size())
+  if (length.get<std::uint64_t>() > found.size)
     document.fail(ErrorCode::ParseError,
-                  where + " has " + std::to_string(bytes.size()) + " bytes, but promises " +
+                  where + " has " + std::to_string(found.size) + " bytes, but promises " +
                       std::to_string(length.get<std::uint64_t>()) + ".",
                   "Was it copied completely?");
-  bytes.resize(length.get<std::size_t>());
-  return bytes;
+  found.size = length.get<std::uint64_t>();
+  return found;
 }
 
 // Checks the tree's own numbers, because these are copied on writing. tinygltf's view drops the
 // upper half of long numbers and reads numbers with a fraction as 0.
-bool isInside(const Json& view, const std::vector<Bytes>& buffers) {
+bool isInside(const Json& view, const std::vector<GltfBuffer>& buffers) {
   const auto member = [&](const char* key) { return view.value(key, Json(0U)); };
   for (const char* key : {"buffer", "byteOffset", "byteLength", "byteStride"})
     if (!isWholeNumber(member(key))) return false;
   const auto buffer = member("buffer").get<std::uint64_t>();
   if (buffer >= buffers.size()) return false;
-  const std::uint64_t size = buffers[static_cast<std::size_t>(buffer)].size();
+  const std::uint64_t size = buffers[static_cast<std::size_t>(buffer)].size;
   const auto offset = member("byteOffset").get<std::uint64_t>();
   return offset <= size && member("byteLength").get<std::uint64_t>() <= size - offset;
 }
@@ -233,21 +233,16 @@ void checkBufferViews(const GltfDocument& document) {
                     "Was the file copied completely?");
 }
 
-void loadBuffers(GltfDocument& document,
-                 const std::optional<std::span<const std::uint8_t>>& chunk) {
+void findBuffers(GltfDocument& document, const std::optional<GltfBuffer>& chunk) {
   if (!document.tree.contains("buffers") || !document.tree["buffers"].is_array()) return;
   Json& list = document.tree["buffers"];
   document.isEmbedded = !document.isBinary && !list.empty();
   const Resources resources(document.resources);
   for (Json& buffer : list) {
-    document.buffers.push_back(
-        loadBuffer(document, document.buffers.size(), buffer, chunk, resources));
-    const bool isInline =
-        buffer.contains("uri") && isDataUri(buffer["uri"].get_ref<std::string&>());
-    document.isEmbedded = document.isEmbedded && isInline;
-    if (buffer.contains("uri") && !isInline)
-      document.bufferFiles.push_back(
-          {percentDecoded(buffer["uri"].get<std::string>()), document.buffers.back()});
+    document.buffers.push_back(findBuffer(document, buffer, chunk, resources));
+    document.bufferBytes += document.buffers.back().size;
+    document.isEmbedded =
+        document.isEmbedded && buffer.contains("uri") && document.buffers.back().name.empty();
     buffer.erase("uri");
   }
 }
@@ -270,21 +265,30 @@ std::shared_ptr<GltfDocument> openGltf(const File& file, const std::vector<File>
   const auto document = std::make_shared<GltfDocument>();
   document->original = file;
   document->resources = resources;
-  const std::span<const std::uint8_t> bytes = document->original.bytes;
-  document->isBinary = bytes.size() >= 4 && littleEndian(bytes, 0) == kGlbMagic;
-  if (!document->isBinary && isNamedGlb(file.name) && !beginsAsJson(bytes))
+  document->isBinary = asText(beginOf(file, kGlbMagic.size())) == kGlbMagic;
+  if (!document->isBinary && isNamedGlb(file.name) && !beginsAsJson(file.bytes))
     document->fail(ErrorCode::ParseError, "the file does not begin as a binary glTF file does.",
                    "Is it of another format, or a .gltf?");
-  const Chunks chunks = document->isBinary ? splitGlb(*document) : Chunks{bytes, std::nullopt};
-  document->tree = parseTree(*document, chunks.json);
+  const Chunks chunks = document->isBinary ? splitGlb(*document) : Chunks{};
+  document->tree = parseTree(*document, document->isBinary ? chunks.json : file.bytes);
   refuseCompression(*document);
   requireReferences(*document);
   document->typed = typedView(*document);
   document->jointCounts = jointCounts(document->typed);
-  loadBuffers(*document, chunks.binary);
-  for (const Bytes& buffer : document->buffers) document->bufferBytes += buffer.size();
+  findBuffers(*document, chunks.binary);
   checkBufferViews(*document);
   return document;
+}
+
+void appendRange(Bytes& bytes, const GltfBuffer& buffer, std::uint64_t begin, std::uint64_t count) {
+  ByteReader reader(*buffer.file);
+  reader.goTo(buffer.begin + begin);
+  while (count > 0) {
+    const auto some = static_cast<std::size_t>(std::min<std::uint64_t>(count, kRangeBlock));
+    const std::uint8_t* const first = reader.next(some);
+    bytes.insert(bytes.end(), first, first + some);
+    count -= some;
+  }
 }
 
 Bytes packGlb(const Json& tree, const Bytes& data) {
@@ -293,10 +297,9 @@ Bytes packGlb(const Json& tree, const Bytes& data) {
   const std::size_t dataSize = (data.size() + 3) / 4 * 4;
   const std::size_t total =
       kGlbHeader + kChunkHeader + text.size() + (data.empty() ? 0 : kChunkHeader + dataSize);
-  Bytes bytes;
+  Bytes bytes(kGlbMagic.begin(), kGlbMagic.end());
   bytes.reserve(total);
-  for (const std::size_t word :
-       {std::size_t{kGlbMagic}, std::size_t{2}, total, text.size(), std::size_t{kJsonChunk}})
+  for (const std::size_t word : {std::size_t{2}, total, text.size(), std::size_t{kJsonChunk}})
     appendLittleEndian(bytes, word);
   bytes.insert(bytes.end(), text.begin(), text.end());
   if (!data.empty()) {

@@ -108,12 +108,13 @@ GltfEditor::GltfEditor(Json tree, const GltfDocument* document)
       weightedNodes_(weightedNodes(tree_)) {}
 
 std::size_t GltfEditor::addBufferView(const EncodedAccessor& encoded, int target) {
-  data_.resize((data_.size() + 3) / 4 * 4, 0);
+  Bytes& data = data_.bytes;
+  data.resize((data.size() + 3) / 4 * 4, 0);
   Json view = {
-      {"buffer", newBuffer_}, {"byteOffset", data_.size()}, {"byteLength", encoded.bytes.size()}};
+      {"buffer", newBuffer_}, {"byteOffset", data.size()}, {"byteLength", encoded.bytes.size()}};
   if (target == TINYGLTF_TARGET_ARRAY_BUFFER) view["byteStride"] = encoded.stride;
   if (target != 0) view["target"] = target;
-  data_.insert(data_.end(), encoded.bytes.begin(), encoded.bytes.end());
+  data.insert(data.end(), encoded.bytes.begin(), encoded.bytes.end());
   tree_["bufferViews"].push_back(std::move(view));
   return tree_["bufferViews"].size() - 1;
 }

@@ -36,7 +36,7 @@ class GltfEditor {
   std::size_t addFile(const Bytes& bytes);
 
   Json& tree() { return tree_; }
-  const Bytes& newData() const { return data_; }
+  GltfBuffer newData() const { return {&data_, 0, data_.bytes.size()}; }
   // The accessors that replaced primitives used.
   const std::set<int>& abandoned() const { return abandoned_; }
   // The parts of extensions that were lost.
@@ -59,7 +59,7 @@ class GltfEditor {
   Json tree_;
   const GltfDocument* document_;
   std::size_t newBuffer_;  // the number of the buffer that data_ will be
-  Bytes data_;
+  File data_;
   std::map<std::size_t, std::vector<std::size_t>> weightedNodes_;  // by mesh, as the file came
   std::set<int> abandoned_;
   LostExtensions lost_;

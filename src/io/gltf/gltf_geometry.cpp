@@ -139,7 +139,7 @@ class GeometryReader {
   void warnOfLost(const VertexPool& pool);
   void layOutAttributes(const std::vector<VertexPool>& pools);
   void readAttributes(const VertexPool& pool, std::size_t firstVertex, std::size_t vertexCount);
-  void addTriangles(int mode, const std::vector<Index>& sequence, Index firstVertex);
+  void addTriangles(int mode, std::vector<Index> sequence, Index firstVertex);
   std::vector<std::vector<Index>> runsOf(const tinygltf::Primitive& primitive,
                                          std::vector<Index> indices) const;
   std::vector<std::vector<Index>> vertexSequences(int primitiveNumber,
@@ -233,12 +233,18 @@ std::vector<std::vector<Index>> GeometryReader::runsOf(const tinygltf::Primitive
 
 void GeometryReader::readTriangles(int primitiveNumber, Index firstVertex,
                                    std::size_t vertexCount) {
-  for (const std::vector<Index>& run : vertexSequences(primitiveNumber, vertexCount))
-    addTriangles(mesh_.primitives[primitiveNumber].mode, run, firstVertex);
+  for (std::vector<Index>& run : vertexSequences(primitiveNumber, vertexCount))
+    addTriangles(mesh_.primitives[primitiveNumber].mode, std::move(run), firstVertex);
   result_.groups.resize(result_.triangleCount(), static_cast<Index>(primitiveNumber));
 }
 
-void GeometryReader::addTriangles(int mode, const std::vector<Index>& sequence, Index firstVertex) {
+// A single list of triangles, as scans have it, is not copied.
+void GeometryReader::addTriangles(int mode, std::vector<Index> sequence, Index firstVertex) {
+  if (mode == TINYGLTF_MODE_TRIANGLES && result_.indices.empty() && firstVertex == 0) {
+    sequence.resize(sequence.size() / 3 * 3);
+    result_.indices = std::move(sequence);
+    return;
+  }
   const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
     for (const std::size_t i : {a, b, c}) result_.indices.push_back(sequence[i] + firstVertex);
   };

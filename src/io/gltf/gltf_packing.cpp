@@ -85,13 +85,14 @@ std::vector<Range> mergedRanges(std::vector<Range> ranges) {
   return merged;
 }
 
+constexpr std::size_t kAlignment = 8;
+
 // Appends the ranges to `data`, with their alignment kept.
-void copyRanges(std::vector<Range>& ranges, const Bytes& buffer, Bytes& data) {
-  constexpr std::size_t kAlignment = 8;
+void copyRanges(std::vector<Range>& ranges, const GltfBuffer& buffer, Bytes& data) {
   for (Range& range : ranges) {
     while (data.size() % kAlignment != range.begin % kAlignment) data.push_back(0);
     range.target = data.size();
-    data.insert(data.end(), buffer.data() + range.begin, buffer.data() + range.end);
+    appendRange(data, buffer, range.begin, range.end - range.begin);
   }
 }
 
@@ -103,19 +104,19 @@ std::size_t movedOffset(const std::vector<Range>& ranges, std::size_t offset) {
   return range.target + (offset - range.begin);
 }
 
-Bytes mergeBuffers(Json& tree, const std::vector<Bytes>& buffers, bool keepsHidden) {
+Bytes mergeBuffers(Json& tree, const std::vector<GltfBuffer>& buffers, bool keepsHidden) {
   Bytes data;
   if (!tree.contains("bufferViews")) return data;
   Json& bufferViews = tree["bufferViews"];
   std::vector<std::vector<Range>> ranges = shownRanges(bufferViews, buffers.size());
   std::size_t total = 0;
-  for (const Bytes& buffer : buffers) total += buffer.size() + 8;
-  data.reserve(total);
   for (std::size_t i = 0; i < buffers.size(); ++i) {
-    ranges[i] = keepsHidden ? std::vector<Range>{{0, buffers[i].size(), 0}}
+    ranges[i] = keepsHidden ? std::vector<Range>{{0, std::size_t(buffers[i].size), 0}}
                             : mergedRanges(std::move(ranges[i]));
-    copyRanges(ranges[i], buffers[i], data);
+    for (const Range& range : ranges[i]) total += range.end - range.begin + kAlignment;
   }
+  data.reserve(total);
+  for (std::size_t i = 0; i < buffers.size(); ++i) copyRanges(ranges[i], buffers[i], data);
   for (Json& view : bufferViews) {
     const std::size_t offset =
         movedOffset(ranges[sizeMember(view, "buffer")], sizeMember(view, "byteOffset"));
@@ -127,7 +128,7 @@ Bytes mergeBuffers(Json& tree, const std::vector<Bytes>& buffers, bool keepsHidd
 
 }  // namespace
 
-PackedGltf packGltf(Json tree, const std::vector<Bytes>& buffers, const Abandoned& abandoned) {
+PackedGltf packGltf(Json tree, const std::vector<GltfBuffer>& buffers, const Abandoned& abandoned) {
   const bool keepsAll = mayHideReferences(tree, Named::Data);
   if (!keepsAll) dropAbandoned(tree, abandoned);
   Bytes data = mergeBuffers(tree, buffers, keepsAll);

@@ -23,6 +23,6 @@ struct Abandoned {
 // Drops abandoned data that nothing uses any more, and the buffer views that only dropped accessors
 // used. If an unknown extension might name accessors or buffer views by number, all stay, with
 // their numbers.
-PackedGltf packGltf(Json tree, const std::vector<Bytes>& buffers, const Abandoned& abandoned);
+PackedGltf packGltf(Json tree, const std::vector<GltfBuffer>& buffers, const Abandoned& abandoned);
 
 }  // namespace remesher::io

@@ -8,6 +8,7 @@
 
 #include "io/gltf/gltf_accessor.h"
 #include "io/gltf/gltf_geometry.h"
+#include "io/model/byte_reader.h"
 
 namespace remesher::io {
 namespace {
@@ -121,7 +122,7 @@ class SceneWalk {
 // same bytes. No real place takes less than a byte.
 void SceneWalk::requirePlausible() const {
   constexpr std::size_t kFew = 65536;
-  const std::size_t bytes = document_.original.bytes.size() + document_.bufferBytes;
+  const std::uint64_t bytes = fileSize(document_.original) + document_.bufferBytes;
   if (placeCount_ > kFew && placeCount_ > bytes)
     document_.fail(ErrorCode::ParseError,
                    "its nodes show meshes at more places than the file can hold.",

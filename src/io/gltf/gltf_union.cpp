@@ -146,7 +146,7 @@ void uniteGltf(Model& model) {
   const File file{document->original.name, packGlb(packed.tree, packed.data)};
   const std::shared_ptr<GltfDocument> united = openGltf(file, document->resources);
   united->isBinary = document->isBinary, united->isEmbedded = document->isEmbedded;
-  united->original.bytes.clear();  // these are no file that anyone has given
+  united->isGiven = false;
   model.source = united;
   model.parts.clear();
   model.parts.push_back(std::move(all.part));

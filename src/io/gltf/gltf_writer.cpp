@@ -11,6 +11,7 @@
 
 #include "base/legible.h"
 #include "io/gltf/gltf.h"
+#include "io/gltf/gltf_accessor.h"
 #include "io/gltf/gltf_document.h"
 #include "io/gltf/gltf_editor.h"
 #include "io/gltf/gltf_geometry.h"
@@ -21,6 +22,7 @@
 #include "io/gltf/tree/gltf_extensions.h"
 #include "io/gltf/tree/gltf_levels.h"
 #include "io/gltf/tree/gltf_pointers.h"
+#include "io/model/byte_reader.h"
 #include "io/model/companions.h"
 #include "io/model/resources.h"
 #include "io/model/same_mesh.h"
@@ -33,8 +35,13 @@ enum class Container { Text, Binary };
 // The prefix of references to images that are encoded later.
 constexpr std::string_view kPainting = "painting:";
 
-// Whether the mesh equals the one in the file. The file is read again: no copy of its mesh is kept.
+// Whether the mesh equals the one in the file. The file is read again, as no copy of its mesh is
+// kept, unless the vertices have another number.
 bool isUntouched(const GltfDocument& document, const Part& part, int mesh) {
+  std::size_t count = 0;
+  for (const VertexPool& pool : vertexPools(document, std::size_t(mesh)))
+    count += accessorCount(document, pool.accessors.at("POSITION"));
+  if (count != part.mesh.positions.size()) return false;
   std::vector<Warning> alreadyKnown;
   const TriangleMesh read = readGeometry(document, mesh, alreadyKnown);
   return !isMended(alreadyKnown) && isSame(part.mesh, read);
@@ -70,7 +77,7 @@ std::optional<std::string> imageType(const Bytes& bytes) {
 std::optional<Bytes> imageBytes(const std::string& uri, const File* file) {
   if (isDataUri(uri)) return decodeDataUri(uri);
   if (file == nullptr) return std::nullopt;
-  return file->bytes;
+  return whole(*file).bytes;
 }
 
 // Embeds the images of a text file that becomes binary; a file used by several images is embedded
@@ -124,7 +131,7 @@ Companions takeImages(Json& tree, const std::vector<File>& resources, CompanionN
     const auto [entry, isNew] = nameOf.emplace(file, "");
     if (isNew) {
       entry->second = names.nameFor(uri);
-      companions.files.push_back({entry->second, file->bytes});
+      companions.files.push_back({entry->second, whole(*file).bytes});
     }
     if (entry->second == percentDecoded(uri)) continue;
     image["uri"] = referenceTo(entry->second);
@@ -177,10 +184,12 @@ WrittenFiles serialized(PackedGltf packed, const std::string& outputName, Contai
 std::optional<WrittenFiles> asItCame(const GltfDocument& document, const std::string& outputName) {
   CompanionNames names(outputName);
   WrittenFiles written;
-  written.files.push_back({outputName, document.original.bytes});
-  for (const File& file : document.bufferFiles) {
-    if (names.nameForFile(file.name) != file.name) return std::nullopt;
-    written.files.push_back(file);
+  written.files.push_back({outputName, whole(document.original).bytes});
+  for (const GltfBuffer& buffer : document.buffers) {
+    if (buffer.name.empty()) continue;
+    if (names.nameForFile(buffer.name) != buffer.name) return std::nullopt;
+    written.files.push_back({buffer.name, {}});
+    appendRange(written.files.back().bytes, buffer, 0, buffer.size);
   }
   Json images = {{"images", document.tree.value("images", Json::array())}};
   Companions companions = takeImages(images, document.resources, names);
@@ -280,7 +289,7 @@ WrittenFiles writeDocument(const GltfDocument& document, const Model& model,
   const Container before = document.isBinary ? Container::Binary : Container::Text;
   const std::vector<std::size_t> replaced = replacedParts(document, model);
   if (replaced.empty() && container == before && !hasLods(model) && !model.replacesLevels &&
-      model.leftOut.empty() && !document.original.bytes.empty())
+      model.leftOut.empty() && document.isGiven)
     if (std::optional<WrittenFiles> same = asItCame(document, outputName)) return std::move(*same);
 
   GltfEditor editor(document.tree, &document);
@@ -327,7 +336,7 @@ WrittenFiles writeDocument(const GltfDocument& document, const Model& model,
   }
   settleDeclarations(document.tree, editor.tree());
   if (container == Container::Binary && before == Container::Text) embedImages(editor, document);
-  std::vector<Bytes> buffers = document.buffers;
+  std::vector<GltfBuffer> buffers = document.buffers;
   buffers.push_back(editor.newData());
   PackedGltf packed = packGltf(std::move(editor.tree()), buffers, abandoned);
   CompanionNames names(outputName);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/legible.h"
+#include "io/model/byte_reader.h"
 #include "io/model/conventions.h"
 #include "io/model/resources.h"
 #include "io/named/threemf.h"
@@ -109,7 +110,7 @@ PlacedObject PackageReader::componentIn(const XmlScanner& xml, const XmlTag& tag
     if (file == nullptr)
       xml.fail(ErrorCode::MissingResource, "the package lacks " + legible(inside) + ".",
                "Was it copied completely?");
-    readModel(asText(*file), from);
+    readModel(asText(whole(*file)), from);
   }
   return {from + '#' + tag.get("objectid"), transformOf(xml, tag)};
 }

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/legible.h"
+#include "io/model/byte_reader.h"
 #include "io/model/conventions.h"
 #include "io/model/polygon.h"
 #include "io/model/resources.h"
@@ -382,8 +383,8 @@ void findLibraries(ObjSource& source, const std::vector<File>& resources,
     if (!seen.insert(library).second) continue;
     const File* const found = given.named(library);
     if (found != nullptr) {
-      source.libraryFiles.push_back(*found);
-      warnOfImages(*found, warnings);
+      source.libraryFiles.push_back(whole(*found));
+      warnOfImages(source.libraryFiles.back(), warnings);
     } else {
       warnings.push_back({"RESOURCE_NOT_GIVEN",
                           "The material library " + legible(library) +

@@ -75,6 +75,9 @@ const std::string kPlainObj = "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0\nv 1 1 0\nf
 
 const std::string kOff = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
 
+// The same as a GLB.
+File glbOf(const File& file) { return io::write(io::read(file), "a.glb").files[0]; }
+
 void checkSame(const File& outside, const File& inside) {
   const io::Model read = io::read(outside), wanted = io::read(inside);
   REQUIRE(read.parts.size() == wanted.parts.size());
@@ -89,7 +92,7 @@ void checkSame(const File& outside, const File& inside) {
   REQUIRE(read.warnings.size() == wanted.warnings.size());
   for (std::size_t w = 0; w < read.warnings.size(); ++w)
     CHECK(read.warnings[w].message == wanted.warnings[w].message);
-  for (const char* const output : {"b.ply", "b.stl"})
+  for (const char* const output : {"b.ply", "b.stl", "b.glb", "b.gltf"})
     CHECK(textOf(io::write(read, output).files[0]) == textOf(io::write(wanted, output).files[0]));
 }
 
@@ -102,6 +105,8 @@ TEST_CASE("byte reader: a file is read the same from blocks of any size") {
       for (const bool hasTextures : {false, true}) {
         const std::string bytes = binaryPly(hasPolygon, hasTextures);
         checkSame(outside("a.ply", bytes, block), textFile("a.ply", bytes));
+        const File glb = glbOf(textFile("a.ply", bytes));
+        checkSame(outside("a.glb", textOf(glb), block), glb);
       }
     for (const char* const header : {"made by hand", "COLOR=", "solid in spite of its name"}) {
       const std::string bytes = binaryStl(header);
@@ -125,18 +130,23 @@ TEST_CASE("byte reader: of a file in blocks no more is in memory at once") {
   CHECK(source->most == 65536);
 
   std::string text = kPlainObj;
-  while (text.size() < 100'000) text += "f 1 2 3 # and again\n";
+  while (text.size() < 500'000) text += "f 1 2 3 # and again\n";
   const auto lines = std::make_shared<TestSource>(text, 1000);
   CHECK(io::read({"a.obj", {}, lines}).parts[0].mesh.triangleCount() > 4000);
   CHECK(lines->most == 65536);
+
+  const auto views = std::make_shared<TestSource>(textOf(glbOf(textFile("a.obj", text))), 1000);
+  CHECK(io::read({"a.glb", {}, views}).parts[0].mesh.triangleCount() > 4000);
+  CHECK(views->most == 65536);
 }
 
 TEST_CASE("byte reader: a file in blocks is refused in the words of any other") {
   std::string stl = binaryStl("short");
   for (const std::string& bytes :
        {std::string(), stl.substr(0, 150), stl + "x", binaryPly(true, false).substr(0, 300),
-        binaryPly(false, false).substr(0, 100), kText.substr(0, 90), kObj.substr(0, 40),
-        kObj + " 9", kPlainObj + "f 1 2 3\n\nf 1 \\\n2 x\n"}) {
+        binaryPly(false, false).substr(0, 100),
+        textOf(glbOf(textFile("a.obj", kObj))).substr(0, 900), kText.substr(0, 90),
+        kObj.substr(0, 40), kObj + " 9", kPlainObj + "f 1 2 3\n\nf 1 \\\n2 x\n"}) {
     const std::string told = failureOf([&] { io::read(outside("a.ply", bytes, 11)); });
     CHECK(told == readingFails(textFile("a.ply", bytes)));
   }
