@@ -9,6 +9,7 @@
 #include "io/model/bake.h"
 #include "jobs/baking.h"
 #include "jobs/bare_materials.h"
+#include "jobs/checks/repair_room.h"
 #include "jobs/inspected_parts.h"
 #include "jobs/parts/part_report.h"
 #include "jobs/run_guards.h"
@@ -72,6 +73,12 @@ void requireParts(const io::Model& model, const char* what) {
   for (const io::Part& part : model.parts) requireValid(part.mesh);
 }
 
+double trianglesOf(const std::vector<io::Part>& parts) {
+  double count = 0;
+  for (const io::Part& part : parts) count += double(part.mesh.triangleCount());
+  return count;
+}
+
 void eraseWarning(std::vector<Warning>& warnings, const char* code) {
   std::erase_if(warnings, [&](const Warning& warning) { return warning.code == code; });
 }
@@ -83,6 +90,8 @@ Report runBake(BakeSource high, io::Model& low, const RemeshOptions& options,
   Report report;
   progress.phase("inspect", 0, kInspected);
   requireParts(low, "bake onto");
+  const double shownFrom = trianglesOf(high.model.parts), onto = trianglesOf(low.parts);
+  requireRoomForTwo({shownFrom + onto, kBakeBytes * shownFrom + kUnwrapBytes * onto}, "bake");
   report.input = inspectScaled(low.parts);
   requireImages(high.model, high.pictures);
   const Unshaded unshaded =
@@ -105,10 +114,8 @@ Report runBake(BakeSource high, io::Model& low, const RemeshOptions& options,
 }
 
 void requireRoomToUnwrap(const std::vector<io::Part>& parts, double addresses) {
-  constexpr double kBytesPerTriangle = 600;
-  double triangles = 0;
-  for (const io::Part& part : parts) triangles += double(part.mesh.triangleCount());
-  const RoomNeeds needs = {triangles, kBytesPerTriangle * triangles};
+  const double triangles = trianglesOf(parts);
+  const RoomNeeds needs = {triangles, kUnwrapBytes * triangles};
   if (haveRoom(needs, addresses)) return;
   refuseSize(needs, "unwrap", "Remesh it to fewer vertices first, or give it in parts.", addresses);
 }

@@ -7,6 +7,7 @@
 
 #include "geometry/triangle.h"
 #include "io/model/appending.h"
+#include "jobs/checks/repair_room.h"
 #include "jobs/run_guards.h"
 
 namespace remesher {
@@ -112,7 +113,11 @@ io::Part asOne(const Parts& parts, std::pair<std::size_t, std::size_t> range,
 
 }  // namespace
 
-OperandPair pairOf(const std::array<GivenOperand, 2>& given, Carried carried) {
+OperandPair pairOf(const std::array<GivenOperand, 2>& given, Carried carried, double addresses) {
+  double triangles = 0;
+  for (const GivenOperand& operand : given)
+    for (const io::Part& part : operand.parts) triangles += double(part.mesh.triangleCount());
+  requireRoomForTwo({triangles, kCombineBytes * triangles}, "combine", addresses);
   Parts all;
   for (const GivenOperand& operand : given) {
     for (const io::Part& part : operand.parts)

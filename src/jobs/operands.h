@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/report.h"
+#include "base/room.h"
 #include "io/model/model.h"
 
 namespace remesher {
@@ -32,8 +33,10 @@ struct OperandPair {
 };
 
 // Each operand's parts as one mesh. Attributes that some lack get their default (see appendMesh),
-// and normals those of flat triangles. Throws the Errors of requireValid.
-OperandPair pairOf(const std::array<GivenOperand, 2>& given, Carried carried);
+// and normals those of flat triangles. Throws the Errors of requireValid, and OUT_OF_MEMORY if
+// there is no room for a Boolean.
+OperandPair pairOf(const std::array<GivenOperand, 2>& given, Carried carried,
+                   double addresses = kAddresses);
 
 // Both meshes as one: the triangles of the first, then those of the second.
 TriangleMesh joinedOperands(const TriangleMesh& a, const TriangleMesh& b);

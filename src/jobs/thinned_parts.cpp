@@ -184,11 +184,11 @@ std::vector<Warning> roomWarnings(const std::vector<io::Part>& parts,
   if (haveRoom(needs, limits.addresses)) return {};
   const double fits = mostThinned(parts, limits);
   if (fits < 1) refuseToRemesh(needs, "", limits.addresses);
-  std::vector<Warning> warnings = {{"NEEDS_THINNING",
-                                    "To remesh this model as it is " +
-                                        needsInWords(needs, limits.addresses) + " " +
-                                        thinnedFor(fits) + ".",
-                                    std::size_t(needs.triangles)}};
+  std::vector<Warning> warnings = {
+      {"NEEDS_THINNING",
+       "To remesh this model as it is " + needsInWords(needs, limits.addresses) + " " +
+           thinnedFor(fits) + ". Booleans of it and unwrapping it take as much.",
+       std::size_t(needs.triangles)}};
   if (const std::optional<Warning> lacking = noRoomForFaults(parts, limits.addresses))
     warnings.push_back(*lacking);
   return warnings;

@@ -37,6 +37,19 @@ function objText(mesh, { colour, quads = false } = {}) {
   return bytesOf(`${lines.join('\n')}\n`);
 }
 
+/** A glTF with materials that show images of 8192 × 8192 texels; of each there is the header. */
+function largeImages(count) {
+  const header = Buffer.alloc(40);
+  header.write('\x89PNG\r\n\x1a\n\0\0\0\rIHDR', 'latin1');
+  header.writeUInt32BE(8192, 16);
+  header.writeUInt32BE(8192, 20);
+  const each = (make) => Array.from({ length: count }, (_, i) => make(i));
+  const image = { uri: `data:image/png;base64,${header.toString('base64')}` };
+  return bytesOf(JSON.stringify({ asset: { version: '2.0' }, images: each(() => image),
+    textures: each((source) => ({ source })), materials: each((index) => (
+      { pbrMetallicRoughness: { baseColorTexture: { index } } })) }));
+}
+
 /** Per copy of a place the largest difference of a channel from the first copy's colour. */
 function stepsOverSeams({ POSITION, TEXCOORD_0 }, image) {
   const first = new Map();
@@ -139,6 +152,8 @@ test('what cannot be done is refused in a sentence', async () => {
     /Texture coordinates cannot be written/);
   await rejectsWith(bakeFile(file, file, { ...options, output: 'a.obj' }), 'UNSUPPORTED',
     /glTF only/);
+  await rejectsWith(bakeFile(largeImages(17), file, options), 'OUT_OF_MEMORY',
+    /^high\.obj: Decoded, its 17 images take 4\.56 GB of memory; there are 4\.03 GB, enough for /);
   await rejectsWith(bake(low, low, { vertices: 9 }), 'INVALID_OPTION', /does not remesh: vertices/);
   await rejectsWith(unwrap(low, { cage: 9 }), 'INVALID_OPTION', /does not remesh: cage/);
   for (const [words, pattern] of [

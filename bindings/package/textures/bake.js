@@ -32,6 +32,29 @@ function imagesBeside({ name: model, resources }) {
     ({ name, label: `${legible(model)}: Image ${legible(name)}`, bytes }));
 }
 
+/** Bytes that WebAssembly has for decoded images: all but what the smallest model takes. */
+const mostDecoded = 2 ** 32 - 2 ** 28;
+
+/** Decoded, images of more bytes than these are so large that no two are decoded at once. */
+const fewDecoded = 2 ** 29;
+
+/** The bytes of all texels. @param {readonly { bytes: Uint8Array }[]} images */
+const decodedSize = (images) => images.reduce((sum, { bytes }) => {
+  const { width = 0, height = 0 } = imageHeader(bytes) ?? {};
+  return sum + 4 * width * height;
+}, 0);
+
+/** @param {number} size the bytes of all texels @param {number} count @param {string} name */
+function requireRoom(size, count, name) {
+  if (size <= mostDecoded) return;
+  const gigabytes = (/** @type {number} */ bytes) => (bytes / 1e9).toFixed(2);
+  throw new RemeshError('OUT_OF_MEMORY',
+    `${legible(name)}: Decoded, its ${count} images take ${gigabytes(size)} GB of memory; there `
+      + `are ${gigabytes(mostDecoded)} GB, enough for about `
+      + `${Math.floor((count * mostDecoded) / size)} of them.`,
+    'Give smaller images, or keep the textures.');
+}
+
 export class Baker {
   #imageWorkers;
   #onProgress;
@@ -71,6 +94,8 @@ export class Baker {
   /** @param {FileRequest} file @returns {Promise<FileRequest>} with its images decoded */
   async opened(file) {
     const images = isGltf(file.bytes) ? imagesOf(file) : imagesBeside(file);
+    const size = decodedSize(images);
+    requireRoom(size, images.length, file.name);
     this.#given = sizeOf(images);
     this.#areWebp = images.length > 0
       && images.every(({ bytes }) => imageHeader(bytes)?.type === 'image/webp');
@@ -79,7 +104,8 @@ export class Baker {
       && normals.every((bytes) => imageHeader(bytes)?.type === 'image/jpeg');
     const decoded = await this.#imageWorkers.run(
       images.map(({ label, bytes }) => ({ work: 'decode', image: { name: label, bytes } })),
-      (done) => this.#tell('decode images', shares.decoding * done / (images.length || 1)));
+      (done) => this.#tell('decode images', shares.decoding * done / (images.length || 1)),
+      size > fewDecoded);
     const pictures = images.map(({ name }, i) => ({ name, type: '', ...decoded[i] }));
     return { ...file, pictures };
   }

@@ -76,9 +76,10 @@ export class ImageWorkers {
   /**
    * @param {ImageJob[]} jobs
    * @param {(done: number) => void} tell that so many are done; what it throws ends the rest
+   * @param {boolean} [isAlone] one after the other, in this thread
    * @returns {Promise<any[]>} Rejects as the first job that fails would by itself.
    */
-  async run(jobs, tell) {
+  async run(jobs, tell, isAlone = false) {
     /** @type {any[]} */
     const results = [];
     const waiting = [...jobs.keys()];
@@ -103,7 +104,7 @@ export class ImageWorkers {
       }
     };
     const own = (/** @type {ImageJob} */ job) => this.#codecs[job.work](job.image);
-    const helpers = this.#helpersFor(jobs.length - 1);
+    const helpers = isAlone ? [] : this.#helpersFor(jobs.length - 1);
     await Promise.all([own, ...helpers.map((helper) => helper.do.bind(helper))].map(work));
     await work(own);
     if (failed.index < jobs.length) throw failed.error;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/error.h"
+
 namespace remesher {
 namespace {
 
@@ -28,6 +30,14 @@ void requireRoomToRepair(const std::vector<io::Part>& parts, double addresses) {
              "Give it in parts, or remesh it to few vertices without repair, which thins it out, "
              "and repair the result.",
              addresses);
+}
+
+void requireRoomForTwo(const RoomNeeds& needs, const std::string& verb, double addresses) {
+  if (haveRoom(needs, addresses)) return;
+  throw Error(ErrorCode::OutOfMemory,
+              "The two models have " + inMillions(needs.triangles) + " triangles. To " + verb +
+                  " them " + needsInWords(needs, addresses),
+              "Remesh the larger one to fewer vertices first, or give it in parts.");
 }
 
 std::optional<Warning> noRoomForFaults(const std::vector<io::Part>& parts, double addresses) {

@@ -132,7 +132,7 @@ TEST_CASE("thinned parts: what is said of room before is what happens then") {
   const std::vector<Warning> warnings = roomWarnings(fineSheet(), limits);
   REQUIRE(warnings.size() == 1);
   CHECK(warnings[0].code == "NEEDS_THINNING");
-  CHECK(warnings[0].message.find("For up to 104 vertices it is thinned out first.") !=
+  CHECK(warnings[0].message.find("For up to 104 vertices it is thinned out first. Booleans") !=
         std::string::npos);
   limits.addresses = 1.4e6;
   const std::vector<Warning> two = roomWarnings(fineSheet(), limits);

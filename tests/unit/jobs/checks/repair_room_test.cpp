@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "jobs/bake_run.h"
+#include "jobs/operands.h"
 #include "support/shapes.h"
 
 using namespace remesher;
@@ -45,6 +46,16 @@ TEST_CASE("repair room: unwrapping what has no room is refused in the same words
   CHECK_NOTHROW(requireRoomToUnwrap(balls(2), 1200 * triangles));
   CHECK_THROWS_WITH_AS(requireRoomToUnwrap(balls(2), 600 * triangles),
                        doctest::Contains("To unwrap it takes about"), Error);
+}
+
+TEST_CASE("repair room: a Boolean of operands that have no room together is refused") {
+  const GivenOperand one{"one", balls(1)};
+  const double needs = kCombineBytes * 2 * double(balls(1).front().mesh.triangleCount());
+  CHECK_NOTHROW(pairOf({one, one}, Carried::Solid, needs));
+  CHECK_THROWS_WITH_AS(pairOf({one, one}, Carried::Solid, needs / 2),
+                       doctest::Contains("The two models have 1000 triangles. To combine them "
+                                         "takes about"),
+                       Error);
 }
 
 TEST_CASE("repair room: parts are repaired one after the other") {
