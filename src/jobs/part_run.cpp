@@ -15,7 +15,6 @@
 #include "jobs/parts/part_lengths.h"
 #include "measure/hausdorff.h"
 #include "measure/mesh_report.h"
-#include "measure/self_intersections.h"
 #include "remesh/schemes/chooser.h"
 #include "remesh/schemes/shape_comparison.h"
 
@@ -59,8 +58,9 @@ RemeshOutcome remeshPart(PartInput part, const RemeshOptions& options, const Pro
   return runOn(std::move(part), remeshed, options, progress);
 }
 
-std::vector<Index> crossingsOf(const TriangleMesh& original, const RemeshOutcome& outcome) {
-  return crossingsMade(original, inPrecisionOf(original, outcome.mesh).mesh);
+std::vector<Index> crossingsOf(const TriangleMesh& original, const RemeshOutcome& outcome,
+                               bool* isCrossed = nullptr) {
+  return crossingsMade(original, inPrecisionOf(original, outcome.mesh).mesh, isCrossed);
 }
 
 // Whether a result without self-intersections may replace one that has some: it is hardly farther
@@ -120,7 +120,8 @@ UncrossedOutcome uncrossedAsShown(const ShownMesh& part, const PartTarget& targe
   RemeshOptions options = optionsFor(target);
   // After repair they are looked for in the rounded mesh.
   if (options.repair != Repair::Off) return {std::move(made), {}};
-  std::vector<Index> crossings = crossingsOf(part.mesh, made);
+  bool isCrossed = false;
+  std::vector<Index> crossings = crossingsOf(part.mesh, made, &isCrossed);
   RemeshOutcome other;
   if (leavesNumberOpen(options)) options.vertices = Index(made.vertices);
   const auto isReplacedBy = [&](Run run, Prefer prefer) {
@@ -133,8 +134,7 @@ UncrossedOutcome uncrossedAsShown(const ShownMesh& part, const PartTarget& targe
   const Prefer asked = options.prefer;
   const Rule& rule = choose(Decision::Crossings, [&](Fact fact) {
     if (fact == Fact::CrossingsMade)
-      return !crossings.empty() && !options.quads && !asksForFewest(options) &&
-             selfIntersections(part.mesh).empty();
+      return !crossings.empty() && !options.quads && !asksForFewest(options) && !isCrossed;
     if (fact == Fact::ShapeAsked) return asked == Prefer::Shape;
     if (fact == Fact::IsotropicAsked) return asked == Prefer::Even;
     if (fact == Fact::SimplifiedTaken) return made.prefer == Prefer::Shape;

@@ -60,10 +60,13 @@ Assembly assembled(const std::vector<io::Part>& parts, const std::vector<PartPla
 
 }  // namespace
 
-std::vector<Index> crossingsMade(const TriangleMesh& original, const TriangleMesh& result) {
+std::vector<Index> crossingsMade(const TriangleMesh& original, const TriangleMesh& result,
+                                 bool* isCrossed) {
   std::vector<Index> found = selfIntersections(result);
   if (found.empty()) return found;
-  return beyond(original, selfIntersections(original), result, std::move(found));
+  const std::vector<Index> given = selfIntersections(original);
+  if (isCrossed != nullptr) *isCrossed = !given.empty();
+  return beyond(original, given, result, std::move(found));
 }
 
 MadeCrossings crossingsMade(const PartPairs& parts, const std::vector<std::vector<Index>>& own) {

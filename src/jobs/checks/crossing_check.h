@@ -12,8 +12,10 @@
 namespace remesher {
 
 // The triangles of a result that meet others, beyond the places where triangles of the original do,
-// ascending. If the result intersects itself nowhere, the original is not looked at.
-std::vector<Index> crossingsMade(const TriangleMesh& original, const TriangleMesh& result);
+// ascending. If the result intersects itself nowhere, the original is not looked at; else
+// isCrossed, if given, gets whether the original does.
+std::vector<Index> crossingsMade(const TriangleMesh& original, const TriangleMesh& result,
+                                 bool* isCrossed = nullptr);
 
 // A vertex of a triangle that intersects another where none of the originals does, and how many
 // such triangles there are.
