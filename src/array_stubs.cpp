@@ -89,6 +89,9 @@ RemeshOptions ThinnedParts::applied(RemeshOptions options) const { return option
 void ThinnedParts::note(std::vector<SceneRun>&) const {}
 
 std::vector<Warning> pairedParts(const QuadReport&, const std::vector<io::Part>&) { return {}; }
+std::vector<Warning> lostToQuads(const std::vector<io::Part>&, const std::vector<io::Part>&) {
+  return {};
+}
 
 MadeQuads makeQuads(const QuadGoal&, const TriangleMaker&) { refuse("The making of quads"); }
 

@@ -181,9 +181,10 @@ void warnOf(Report& report, const PartPairs& parts, const MadeCrossings& crossin
        {warningsOf(crossings, parts.results), resultWarnings(report, parts.results, wanted),
         bordersOffGiven(parts.originals, parts.results)})
     report.warnings = joined(std::move(report.warnings), more);
-  if (report.output->quads)
-    report.warnings =
-        joined(std::move(report.warnings), pairedParts(*report.output->quads, parts.results));
+  if (!report.output->quads) return;
+  for (const std::vector<Warning>& more : {pairedParts(*report.output->quads, parts.results),
+                                           lostToQuads(parts.originals, parts.results)})
+    report.warnings = joined(std::move(report.warnings), more);
 }
 
 // Measures what was wanted of each edge and triangle, and warns where it is not so.

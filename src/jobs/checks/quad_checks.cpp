@@ -2,11 +2,13 @@
 #include "jobs/checks/quad_checks.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "base/disjoint_sets.h"
+#include "base/legible.h"
 #include "geometry/extent.h"
 #include "geometry/triangle_tree.h"
 #include "jobs/checks/result_check.h"
@@ -18,6 +20,11 @@ namespace {
 
 // A border farther off than this share of the diagonal shows.
 constexpr double kOffBorder = 5e-4;
+
+// Quads that are farther away than so many of their mean sides have lost a part of the shape. It is
+// looked for at so many vertices of a mesh, evenly among all.
+constexpr double kLostSides = 0.6;
+constexpr std::size_t kMostQuadSamples = 20'000;
 
 // The open edges of a mesh, as triangles without area, and the number of loops that they make.
 struct Border {
@@ -87,6 +94,32 @@ std::vector<Warning> bordersOffGiven(const std::vector<io::Part>& given,
             " of its open loops are closed";
   text.append(", the first near (").append(placeInWords(*all.first, result)).append(").");
   return {{"QUADS_OFF_BORDER", text, all.corners + all.closed, all.first}};
+}
+
+std::vector<Warning> lostToQuads(const std::vector<io::Part>& given,
+                                 const std::vector<io::Part>& result) {
+  double farthest = kLostSides, percent = 0;
+  std::optional<Vec3> where;
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    const TriangleMesh &from = given[i].mesh, &mesh = result[i].mesh;
+    if (!mesh.isQuads || mesh.indices.empty()) continue;
+    const double side = std::sqrt(extentOf(mesh).area / (double(mesh.triangleCount()) / 2));
+    const TriangleTree tree(mesh.positions, mesh.indices);
+    const std::size_t step = 1 + from.indices.size() / kMostQuadSamples;
+    for (std::size_t corner = 0; corner < from.indices.size(); corner += step) {
+      const Vec3& p = from.positions[from.indices[corner]];
+      const double distance = std::sqrt(tree.nearest(p).squaredDistance);
+      if (!(distance > farthest * side)) continue;
+      farthest = distance / side;
+      percent = 100 * distance / extentOf(from).diagonal();
+      where = p;
+    }
+  }
+  if (!where) return {};
+  std::string text = "A part of the shape is lost: it is " + inDigits(percent, 2);
+  text.append(" % of the diagonal away from the quads, near (").append(placeInWords(*where, given));
+  text.append("), more than half of what these are wide. Ask for more.");
+  return {{"QUADS_TOO_FEW", text, 1, where}};
 }
 
 std::vector<Warning> pairedParts(const QuadReport& quads, const std::vector<io::Part>& result) {

@@ -14,6 +14,10 @@ namespace remesher {
 std::vector<Warning> bordersOffGiven(const std::vector<io::Part>& given,
                                      const std::vector<io::Part>& result);
 
+// QUADS_TOO_FEW where the part given is farther from its quads than 0.6 of their mean side.
+std::vector<Warning> lostToQuads(const std::vector<io::Part>& given,
+                                 const std::vector<io::Part>& result);
+
 // QUADS_PAIRED for the connected parts without a map to squares.
 std::vector<Warning> pairedParts(const QuadReport& quads, const std::vector<io::Part>& result);
 

@@ -213,8 +213,14 @@ class QuadMaking {
     // Where rows are too long to be added, a larger number can be lessened quad by quad.
     const double above = 1 + 2 * kCountTolerance;
     if (!isHalf) shares.push_back(above);
+    const std::size_t usual = shares.size();
+    // Few quads may lose a part of the shape at one number, and keep it at the next ones.
+    if (isFew() && !goal_.isExact)
+      for (const int step : {-2, 3, -4, 4}) shares.push_back(1 + step * kCountTolerance);
     std::optional<MadeQuads> best;
-    for (const double share : shares) {
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+      const double share = shares[i];
+      if (i >= usual && best->away < kLostQuads) break;
       // A part without a map at one share has none at others. The whole may, where its half has
       // none.
       const bool isLast = best && share == above && goal_.isExact;

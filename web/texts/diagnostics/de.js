@@ -132,6 +132,7 @@ export default {
     + 'sind geteilte Paare von Dreiecken.',
   'warning.QUADS_SYMMETRY_LOST': 'Ebenen spiegeln das Modell, aber nicht alle spiegeln die '
     + 'Vierecke.',
+  'warning.QUADS_TOO_FEW': 'Ein Teil der Form ging verloren: Verlangen Sie mehr Vierecke.',
   'warning.RESOURCE_NOT_GIVEN': 'Eine Datei, auf die das Modell verweist, war nicht dabei.',
   'warning.SCRAPS_REMOVED': 'Dreiecke wurden entfernt: von kleinen offenen Komponenten, solche, '
     + 'die neben einem Loch nur in einem Punkt an der Fläche hängen, und doppelte.',
@@ -148,8 +149,8 @@ export default {
   'warning.CAVITIES_FILLED': 'Hohlräume, die von außen nicht zu sehen sind, wurden gefüllt.',
   'warning.SHAPE_NOT_PREFERRED': 'Punkte dort, wo die Form sie am meisten braucht, ließen die '
     + 'reparierte Fläche sich selbst schneiden: Ihre Dreiecke sind stattdessen gleichmäßig.',
-  'warning.SHAPE_TAKES_MORE': 'Mit dem kleinsten Winkel, der gewünscht ist, weicht die Form '
-    + 'sichtbar ab. Verlangen Sie mehr Punkte oder einen kleineren Winkel.',
+  'warning.SHAPE_TAKES_MORE': 'Mit dem gewünschten kleinsten Winkel oder der Kantenlänge weicht '
+    + 'die Form sichtbar ab. Verlangen Sie mehr Punkte oder einen kleineren Winkel.',
   'warning.SHEETS_LEFT': 'Blätter wie Karten, Stoff oder Gelände umschließen nichts und blieben, '
     + 'wie '
     + 'sie waren; „einhüllen“ macht dünne Körper aus ihnen.',

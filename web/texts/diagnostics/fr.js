@@ -138,8 +138,8 @@ export default {
   'warning.CAVITIES_FILLED': 'Des cavités invisibles de l’extérieur ont été remplies.',
   'warning.SHAPE_NOT_PREFERRED': 'Des sommets là où la forme les réclame feraient se couper la '
     + 'surface réparée : ses triangles sont réguliers à la place.',
-  'warning.SHAPE_TAKES_MORE': 'Avec le plus petit angle voulu, la forme s’écarte visiblement. '
-    + 'Demandez plus de sommets, ou un angle plus petit.',
+  'warning.SHAPE_TAKES_MORE': 'Avec le plus petit angle ou la longueur voulus, la forme s’écarte '
+    + 'visiblement. Demandez plus de sommets, ou un angle plus petit.',
   'warning.SHEETS_LEFT': 'Des feuilles (cartes, tissu, terrain) n’enferment rien et sont restées '
     + 'telles quelles ; « envelopper » en fait des solides minces.',
   'warning.PASSED_ON': 'Des maillages sans aire ont été transmis tels quels.',
@@ -158,6 +158,7 @@ export default {
     + 'quads sont des paires de triangles divisées.',
   'warning.QUADS_SYMMETRY_LOST': 'Le modèle a des plans de symétrie, mais les quads ne les '
     + 'ont pas tous.',
+  'warning.QUADS_TOO_FEW': 'Une partie de la forme est perdue : demandez plus de quads.',
   'warning.SPIKES_LEFT_COARSE': 'Des points qui dépassent de loin tiennent par des aiguilles ; '
     + 'celles-ci reçoivent peu de points.',
   'warning.SURFACE_OPENED': 'Le résultat a des arêtes ouvertes, alors que l’original était fermé.',

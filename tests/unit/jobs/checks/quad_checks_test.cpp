@@ -7,6 +7,24 @@
 
 using namespace remesher;
 
+TEST_CASE("quad checks: a part of the shape that quads lack is said, with the place") {
+  const auto part = [](const TriangleMesh& mesh) {
+    return std::vector<io::Part>{io::Part{"", mesh, {}}};
+  };
+  TriangleMesh quads = shapes::grid(8, 8), tip = quads;
+  quads.isQuads = true;
+  CHECK(lostToQuads(part(quads), part(quads)).empty());
+  Vec3& top = tip.positions[tip.indices[90]];
+  top.z() += 0.5;
+  CHECK(lostToQuads(part(tip), part(quads)).empty());
+  top.z() += 0.2;
+  const std::vector<Warning> warnings = lostToQuads(part(tip), part(quads));
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings[0].code == "QUADS_TOO_FEW");
+  CHECK(warnings[0].at == top);
+  CHECK(lostToQuads(part(tip), part(shapes::grid(8, 8))).empty());  // not of quads
+}
+
 TEST_CASE("quad checks: a border that is not the one given is said, with the place") {
   const auto part = [](const TriangleMesh& mesh) {
     return std::vector<io::Part>{io::Part{"", mesh, {}}};
