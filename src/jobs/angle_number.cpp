@@ -29,8 +29,9 @@ constexpr double kFewSmall = 0.001;
 constexpr double kFewVertices = 2000;
 constexpr double kGains = 1.5;
 constexpr int kDigitsAway = 2;  // of a distance in a message
-// Triangles that keep the angle of a part may be away by so many distances that are just not seen.
-constexpr double kMostSeen = 4;
+// Triangles that keep the angle of a part may be away by so many distances that are just not seen;
+// those that keep lengths of edges, too, by more: such edges pass over narrow facets.
+constexpr double kMostSeen = 4, kMostOfLengths = 20;
 
 // The share of the triangles that have smaller angles.
 double missedIn(const RemeshOutcome& made) {
@@ -103,10 +104,10 @@ RemeshOutcome remeshAtAngle(const TriangleMesh& input, Welding welding,
   if (isKept) return own;
   RemeshOutcome limited = remeshSurface(input, std::move(welding), options, progress.part(1, 1));
   const double away = own.prefer == Prefer::Shape ? seenAway(input, limited) : 0;
-  const bool isDented = away > kMostSeen;
-  if (isDented && options.edgeLength)
+  if (away > (options.edgeLength ? kMostOfLengths : kMostSeen)) return own;
+  if (away > kMostSeen)
     limited.warnings.push_back(awayFor("the length of edges", away, "Ask for shorter edges."));
-  return isDented && !options.edgeLength ? std::move(own) : std::move(limited);
+  return limited;
 }
 
 RemeshOutcome remeshToAngle(const TriangleMesh& input, Welding welding,

@@ -157,9 +157,11 @@ function shapeLines({ report, values, largest, diagonal, exact },
     return [{ kind: 'plain', text: t('verdict.needed') }];
   }
   const isShapeFirst = report.prefer?.includes('shape') && values.prefer !== 'shape';
-  if (isShapeFirst && values.purpose === 'simulation' && values.edgeLength) {
-    return report.output.minAngle.worst >= smallAngle ? [] : [{ kind: 'bad',
-      text: t('verdict.narrow'), act: { label: t('verdict.shorter'), run: onShorter } }];
+  const isOfLength = values.purpose === 'simulation' && Boolean(values.edgeLength);
+  const shorter = { label: t('verdict.shorter'), run: onShorter };
+  if (isShapeFirst && isOfLength) {
+    return report.output.minAngle.worst >= smallAngle ? []
+      : [{ kind: 'bad', text: t('verdict.narrow'), act: shorter }];
   }
   // With more triangles than it had, each facet was meshed for itself.
   if (isShapeFirst && triangles <= report.input.triangles) {
@@ -172,7 +174,7 @@ function shapeLines({ report, values, largest, diagonal, exact },
       act: { label: t('verdict.within'), run: onExact } }];
   }
   return [{ kind: 'plain', text: t('verdict.lost'),
-    act: { label: t('verdict.more'), run: onMore } }];
+    act: isOfLength ? shorter : { label: t('verdict.more'), run: onMore } }];
 }
 
 /** @param {Judged} judged @param {VerdictActs} acts @returns {Line[]} */
