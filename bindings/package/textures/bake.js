@@ -38,10 +38,12 @@ const mostDecoded = 2 ** 32 - 2 ** 28;
 /** Decoded, images of more bytes than these are so large that no two are decoded at once. */
 const fewDecoded = 2 ** 29;
 
-/** The bytes of all texels. @param {readonly { bytes: Uint8Array }[]} images */
+/** The bytes of all texels, but for images that are too large by themselves: their decoder refuses
+ * these by name. @param {readonly { bytes: Uint8Array }[]} images */
 const decodedSize = (images) => images.reduce((sum, { bytes }) => {
   const { width = 0, height = 0 } = imageHeader(bytes) ?? {};
-  return sum + 4 * width * height;
+  const size = 4 * width * height;
+  return size > mostDecoded ? sum : sum + size;
 }, 0);
 
 /** @param {number} size the bytes of all texels @param {number} count @param {string} name */
