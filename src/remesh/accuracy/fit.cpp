@@ -38,8 +38,10 @@ class Offsets {
     }
   }
 
-  // Once the middles around v are known. normal: the sum of the area vectors around it.
+  // Once the middles around v are known. normal: the sum of the area vectors around it. 0 where the
+  // triangles around v had no area then.
   double at(Vertex v, const Vec3& normal) const {
+    if (!(middles_[v].area > 0)) return 0;
     const Vec3 way = mesh_.surface().position(mesh_.at(v)) - mesh_.position(v);
     return (middles_[v].volume + kAtCorner * way.dot(normal)) / middles_[v].area;
   }
