@@ -215,9 +215,10 @@ class QuadMaking {
     if (!isHalf) shares.push_back(above);
     const std::size_t usual = shares.size();
     // Few quads may lose a part of the shape at one number, and keep it at the next ones.
-    if (isFew() && !goal_.isExact)
+    if (goal_.vertices <= kFewToFinish && !goal_.isExact)
       for (const int step : {-2, 3, -4, 4}) shares.push_back(1 + step * kCountTolerance);
     std::optional<MadeQuads> best;
+    bool isCompleted = false;
     for (std::size_t i = 0; i < shares.size(); ++i) {
       const double share = shares[i];
       if (i >= usual && best->away < kLostQuads) break;
@@ -231,13 +232,16 @@ class QuadMaking {
           (share == above || (isHalf && best->paired.size() == best->parts)))
         break;
       MadeQuads one = made(share);
-      if (isFew()) {
+      const bool isFew = areFew(one);
+      if (isFew) {
         complete(one);
         one.away = QuadDistance(bases_.first()).sidesAway(one.mesh, kNearQuads);
       }
-      if (!best || lackOf(one) < lackOf(*best)) best = std::move(one);
+      if (best && !(lackOf(one) < lackOf(*best))) continue;
+      best = std::move(one);
+      isCompleted = isFew;
     }
-    if (!isFew()) complete(*best);
+    if (!isCompleted) complete(*best);
     return std::move(*best);
   }
 
@@ -254,7 +258,10 @@ class QuadMaking {
     return std::max(std::size_t(double(dense) * (goal.isDraft ? 0.5 : kOfQuads)), least);
   }
 
-  bool isFew() const { return goal_.vertices <= kFewToFinish; }
+  // Surfaces of many handles get far more quads than were asked for.
+  bool areFew(const MadeQuads& made) const {
+    return goal_.vertices <= kFewToFinish && made.mesh.vertices.size() <= 2 * kFewToFinish;
+  }
 
   void complete(MadeQuads& made) {
     if (goal_.isForced && partFromImages(made.mesh, goal_.mirrors, bases_.first()) > 0)
