@@ -116,9 +116,10 @@ std::vector<Warning> lostToQuads(const std::vector<io::Part>& given,
     }
   }
   if (!where) return {};
-  std::string text = "A part of the shape is lost: it is " + inDigits(percent, 2);
-  text.append(" % of the diagonal away from the quads, near (").append(placeInWords(*where, given));
-  text.append("), more than half of what these are wide. Ask for more.");
+  std::string text = "Part of the shape is lost: near (" + placeInWords(*where, given);
+  text.append(") the original is ").append(inDigits(percent, 2));
+  text.append(" % of the diagonal away from the quads, more than half their width. ");
+  text.append("Ask for more quads.");
   return {{"QUADS_TOO_FEW", text, 1, where}};
 }
 

@@ -23,8 +23,8 @@ Uncrossed keepUncrossed(Run& run, std::size_t vertices);
 Uncrossed mendUncrossed(Run& run, std::size_t vertices);
 
 // As keepUncrossed in place of a scheme, from the original or its proxy, with steps that allow
-// tighter folds: for surfaces of so many pieces and handles that a scheme would try in vain for
-// minutes.
+// tighter folds: for surfaces with so many components and handles that a scheme would run for
+// minutes and fail.
 Uncrossed makeUncrossed(Run& run, std::size_t vertices);
 
 // The same without looking for crossings.
