@@ -135,11 +135,12 @@ struct RemeshOptions {
   // part_repair.cpp, touching_parts.h.
   TooFew tooFew = TooFew::Refuse;
   OutOfBound outOfBound = OutOfBound::FromOriginal;
-  std::vector<Index> bodies;      // per input group its body; all bodies form one surface
-  std::optional<Index> inBodies;  // exact number of positions, each counted once per body
-  Mirrors mirrors;                // of quads: the input is a half, cut off along these planes
-  std::optional<double> spacing;  // wished for repair's lattice; else from the mesh itself
-  bool keepsJoints = false;       // edges at which the surface is cut apart stay, and join it again
+  std::vector<Index> bodies;           // per input group its body; all bodies form one surface
+  std::optional<Index> inBodies;       // exact number of positions, each counted once per body
+  double longestOfFacets = kInfinity;  // edges of a part's facets from here on are divided first
+  Mirrors mirrors;                     // of quads: the input is a half, cut off along these planes
+  std::optional<double> spacing;       // wished for repair's lattice; else from the mesh itself
+  bool keepsJoints = false;  // edges at which the surface is cut apart stay, and join it again
 };
 
 // Whether a number of vertices is asked for, by itself or by a mean length of edges.

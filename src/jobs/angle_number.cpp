@@ -60,6 +60,15 @@ RemeshOptions withoutLimits(RemeshOptions options) {
   return options;
 }
 
+// Those of the mesh of a part's facets. Long edges are divided first: a little shorter ones than
+// the longest that is wanted, for smoothing changes lengths.
+RemeshOptions forFacets(const RemeshOptions& options) {
+  constexpr double kShorter = 0.9;
+  RemeshOptions own = withoutLimits(options);
+  if (options.maxEdge) own.longestOfFacets = kShorter * *options.maxEdge;
+  return own;
+}
+
 // The largest distance, both ways, over one that is just not seen.
 double seenAway(const TriangleMesh& input, const RemeshOutcome& made) {
   const DeviationBothWays found = measureDeviation(input, made.mesh, Maximum::Sampled);
@@ -98,7 +107,7 @@ RemeshOutcome remeshAtAngle(const TriangleMesh& input, Welding welding,
                             const RemeshOptions& options, const Progress& progress) {
   if (!isFaceted(buildMesh(input)))
     return remeshSurface(input, std::move(welding), options, progress);
-  RemeshOutcome own = remeshSurface(input, welding, withoutLimits(options), progress);
+  RemeshOutcome own = remeshSurface(input, welding, forFacets(options), progress);
   const bool isKept =
       options.edgeLength ? keepsLimits(own.mesh, options) : hasAngle(own, *options.minAngle);
   if (isKept) return own;

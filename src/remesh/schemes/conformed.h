@@ -9,12 +9,6 @@
 
 namespace remesher {
 
-// From which length on edges of facets are divided first: a little shorter than the longest that a
-// mean length allows, for smoothing changes lengths.
-inline double longestOfFacets(const RemeshOptions& options) {
-  return options.edgeLength ? 1.8 * *options.edgeLength : kInfinity;
-}
-
 // A mesh with exactly so many distinct positions, nowhere away from the original, or at about the
 // depth where it bends a little. None where that is impossible: see makeConforming.
 std::optional<Followed> conformed(const BuiltMesh& original, const TriangleMesh& input,

@@ -245,7 +245,7 @@ class SurfaceCandidates {
     if (!conformed_)
       conformed_ = isFaceted(plan_.built)
                        ? conformed(plan_.built, input_, vertices_, options_.textures,
-                                   {0, longestOfFacets(options_)})
+                                   {0, options_.longestOfFacets})
                        : std::nullopt;
     return conformed_->has_value();
   }

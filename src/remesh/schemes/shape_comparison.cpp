@@ -172,7 +172,7 @@ ShapeComparison::ShapeComparison(const Prepared& original, const TriangleMesh& i
     : original_(original),
       input_(input),
       textures_(options.textures),
-      longest_(longestOfFacets(options)),
+      longest_(options.longestOfFacets),
       isPlain_(isPlain(input, textures_)),
       unseen_(kSeen * original.surface().diagonal()) {}
 

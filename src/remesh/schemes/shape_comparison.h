@@ -84,7 +84,7 @@ class ShapeComparison {
   const Prepared& original_;
   const TriangleMesh& input_;
   Textures textures_;
-  double longest_;  // see longestOfFacets
+  double longest_;  // see RemeshOptions
   bool isPlain_;    // no textures, no colours, no second group
   double unseen_;   // the largest distance at any one point that is not seen, model units
   std::optional<bool> isOwn_, hasEnough_, isPart_, isIsotropicInstead_;
