@@ -81,6 +81,7 @@ set(small
   src/arrangement/cells.cpp
   src/arrangement/facets.cpp
   src/arrangement/merge.cpp
+  src/arrangement/parted_fans.cpp
   src/arrangement/rounding.cpp
   src/arrangement/snapping.cpp
   src/bake.cpp

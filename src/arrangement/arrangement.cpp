@@ -8,6 +8,7 @@
 
 #include "arrangement/facets.h"
 #include "arrangement/merge.h"
+#include "arrangement/parted_fans.h"
 #include "arrangement/points.h"
 #include "arrangement/rounding.h"
 #include "arrangement/snapping.h"
@@ -197,6 +198,13 @@ std::vector<Index> thinFacets(const ArrangementResult& result, double height) {
   return found;
 }
 
+std::function<Vec3(const Vec3&)> roundingOf(const ArrangementOptions& options) {
+  return [&options](const Vec3& p) {
+    const Vec3 place = canonicalPlace(p);
+    return options.isSingle ? inSingle(place, options.frame) : place;
+  };
+}
+
 // The result with parts brought together that are so near to each other, around those facets.
 ArrangementResult snapped(const ArrangementResult& first, std::span<const Index> around,
                           const ArrangementOptions& options, double tolerance) {
@@ -204,11 +212,7 @@ ArrangementResult snapped(const ArrangementResult& first, std::span<const Index>
   result.positions = first.positions;
   KeptFacets facets{first.indices, {}, {}};
   for (Index t = 0; t < first.triangles.size(); ++t) facets.from.push_back({t, 1});
-  const SnapRule rule{tolerance, [&](const Vec3& p) {
-                        const Vec3 place = canonicalPlace(p);
-                        return options.isSingle ? inSingle(place, options.frame) : place;
-                      }};
-  snapTogether(result.positions, facets, around, rule);
+  snapTogether(result.positions, facets, around, {tolerance, roundingOf(options)});
   mendRounded(result.positions, 0, facets);
   result.indices = std::move(facets.corners);
   for (std::size_t f = 0; f < facets.from.size(); ++f) {
@@ -299,6 +303,7 @@ ArrangementResult arrange(const ArrangementInput& input, const ArrangementOption
     best = last;
     left = kPatience;
   }
+  partFans(best, input, {roundingOf(options), crossingsOf});
   return best;
 }
 

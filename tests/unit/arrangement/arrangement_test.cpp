@@ -10,6 +10,8 @@
 #include "base/place.h"
 #include "geometry/triangle.h"
 #include "measure/self_intersections.h"
+#include "mesh/mesh_builder.h"
+#include "mesh/used_vertices.h"
 #include "support/hostile_shapes.h"
 #include "support/shapes.h"
 #include "support/soups.h"
@@ -272,6 +274,28 @@ TEST_CASE("arrangement: a tube that crosses itself becomes its outside") {
     CHECK(twice.triangles.size() > 0);
     CHECK(volumeOf(result) + volumeOf(twice) == doctest::Approx(volumeOf(tube)));
     arranged(input, isWound, true);
+  }
+}
+
+TEST_CASE("arrangement: triangles that intersect around their corner do not touch there") {
+  for (const bool isSingle : {false, true}) {
+    ArrangementInput body = inputOf(shapes::icosphere(8));
+    soups::Random random(5);
+    for (Vec3& p : body.positions) {
+      const Vec3 by = random.point();
+      p += 0.2 * (by - Vec3::Constant(0.5));
+      if (isSingle) p = inSingle(p, {});
+    }
+    ArrangementOptions options;
+    options.isSingle = isSingle;
+    const ArrangementResult result = arrange(body, options);
+    REQUIRE(result.outcome == Outcome::Done);
+    CHECK(result.cut > 20);
+    CHECK(isClosed(result));
+    TriangleMesh outside = meshOf(result);
+    CHECK(selfIntersections(outside).empty());
+    keepUsedVertices(outside);
+    CHECK(buildMesh(outside).mesh.vertexCount() == countPlaces(outside.positions));
   }
 }
 
