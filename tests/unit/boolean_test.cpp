@@ -247,15 +247,17 @@ TEST_CASE("boolean: far from the origin a glTF moves its mesh, not its shape") {
 
 TEST_CASE("boolean: bodies that touch along an edge share it, which is said") {
   const TriangleMesh cube = soups::cube(0, 1);
-  const auto codesOf = [&](const Vec3& by) {
+  const auto codesOf = [&](const Vec3& by, const TriangleMesh& other) {
     std::vector<std::string> codes;
-    const BooleanResult result = boolean(cube, soups::moved(cube, by), BooleanOperation::Union);
+    const BooleanResult result = boolean(cube, soups::moved(other, by), BooleanOperation::Union);
     for (const Warning& warning : result.report.warnings) codes.push_back(warning.code);
     return codes;
   };
-  CHECK(codesOf({1, 1, 0}) == std::vector<std::string>{"NON_MANIFOLD_EDGES_MADE"});
-  CHECK(codesOf({1, 0, 0}).empty());
-  CHECK(codesOf({0.5, 0.5, 0}).empty());
+  CHECK(codesOf({1, 1, 0}, cube) == std::vector<std::string>{"NON_MANIFOLD_EDGES_MADE"});
+  CHECK(codesOf({1, 0, 0}, cube).empty());
+  CHECK(codesOf({0.5, 0.5, 0}, cube).empty());
+  CHECK(codesOf({9, 0, 0}, shapes::cubesSharingAnEdge(1)) ==
+        std::vector<std::string>{"NON_MANIFOLD_EDGES_LEFT"});
 }
 
 TEST_CASE("boolean: intersections are those of the numbers that are written") {
