@@ -182,6 +182,17 @@ ExactRepair withoutLines(ExactRepair sound) {
   return result;
 }
 
+// Closes cracks and T-junctions: exactly, or as wide as closes nearly all.
+void closeCracks(TriangleMesh& mesh, bool isOpen) {
+  TriangleMesh wide;
+  if (isOpen) {
+    wide = mesh;
+    weldOpenVertices(mesh);
+  }
+  stitchOpenEdges(mesh);
+  if (isOpen && countUnbalancedEdges(mesh) > 0 && closeWideCracks(wide)) mesh = std::move(wide);
+}
+
 // Open pieces become bodies.
 void makeBodies(ExactRepair& repair, const BodyRule& rule) {
   SheetBodies bodies = bodiesOfSheets(repair.mesh, rule);
@@ -230,9 +241,8 @@ std::optional<ExactRepair> exactlyRepaired(const TriangleMesh& input, const Exac
   if (isSound(diagnosis)) return withoutLines(std::move(result));
   // A triangle without area that closes a T-junction joins nothing once triangles are cut.
   const bool hasLines = !haveAreas(result.mesh);
-  if (diagnosis.unbalanced > 0) weldOpenVertices(result.mesh);
   if (diagnosis.unbalanced > 0 || hasLines) {
-    stitchOpenEdges(result.mesh);
+    closeCracks(result.mesh, diagnosis.unbalanced > 0);
     if (result.mesh.indices.empty()) {
       fires("exact repair: no triangle has an area");
       return std::nullopt;

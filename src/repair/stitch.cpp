@@ -21,8 +21,10 @@ namespace {
 
 // Shares of the diagonal: from single precision's step to the width of a crack that is not seen.
 constexpr std::array kWeldingDistances = {1e-7, 1e-6, 1e-5, 1e-4};
-// A vertex this near to an edge, as a share of the diagonal, lies on it.
-constexpr double kOnEdge = 1e-6;
+// Of cracks that are hardly seen. They are closed only if few open edges are left, else they may be
+// meant; the narrowest distance is taken that closes as many as the wider ones.
+constexpr std::array kWideDistances = {1e-3, 3e-4, 1e-4, 1e-5};
+constexpr double kMostLeftOfWide = 0.1;
 constexpr int kMostPasses = 4;
 
 // Per vertex whether it lies on an open edge.
@@ -50,8 +52,8 @@ std::size_t countUnbalanced(const Welding& welding) {
 
 class Stitcher {
  public:
-  explicit Stitcher(TriangleMesh& mesh)
-      : mesh_(mesh), tolerance_(kOnEdge * diagonalOf(mesh)), mix_(mesh) {}
+  Stitcher(TriangleMesh& mesh, double tolerance)
+      : mesh_(mesh), tolerance_(tolerance * diagonalOf(mesh)), mix_(mesh) {}
 
   // One pass. inputs: per triangle the input's, kept up. Returns whether any triangle was divided.
   bool pass(std::vector<Index>& inputs) {
@@ -159,6 +161,13 @@ class Stitcher {
   const AttributeMix mix_;
 };
 
+// Welds the open vertices that are so near to each other.
+bool isWelded(TriangleMesh& mesh, double share) {
+  const Welding before(mesh);
+  joinNear(mesh, share * diagonalOf(mesh), openVerticesOf(mesh, before));
+  return Welding(mesh).corners.size() == before.corners.size();
+}
+
 // Leaves out the triangles without area.
 std::vector<Index> keepAreas(TriangleMesh& mesh) {
   std::vector<Index> inputs, indices, groups;
@@ -205,13 +214,32 @@ void weldOpenVertices(TriangleMesh& mesh) {
   mesh.positions = std::move(best.positions);
 }
 
-std::vector<Index> stitchOpenEdges(TriangleMesh& mesh) {
+std::vector<Index> stitchOpenEdges(TriangleMesh& mesh, double tolerance) {
   mesh.isQuads = false;
   std::vector<Index> inputs = keepAreas(mesh);
   for (int pass = 0; pass < kMostPasses; ++pass)
-    if (!Stitcher(mesh).pass(inputs)) return inputs;
+    if (!Stitcher(mesh, tolerance).pass(inputs)) return inputs;
   fires("stitch: most passes");
   return inputs;
+}
+
+bool closeWideCracks(TriangleMesh& mesh) {
+  const std::size_t before = countUnbalancedEdges(mesh);
+  double fewest = kMostLeftOfWide * double(before);
+  TriangleMesh best;
+  for (const double share : kWideDistances) {
+    TriangleMesh closed = mesh;
+    if (before == 0 || !isWelded(closed, share)) continue;
+    stitchOpenEdges(closed, share);
+    const double open = double(countUnbalancedEdges(closed));
+    if (open > fewest) break;
+    fewest = open;
+    best = std::move(closed);
+  }
+  if (best.indices.empty()) return false;
+  fires("stitch: wide cracks closed");
+  mesh = std::move(best);
+  return true;
 }
 
 }  // namespace remesher

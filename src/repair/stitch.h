@@ -23,6 +23,11 @@ bool haveAreas(const TriangleMesh& mesh);
 // Divides triangles at T-junctions; new vertices take the attributes between the edge's ends.
 // Triangles whose corners lie on one line are left out. Triangles that are not divided keep their
 // order and corners, and come first. Returns per triangle of the result the input's.
-std::vector<Index> stitchOpenEdges(TriangleMesh& mesh);
+// tolerance: how near to an edge a vertex lies on it, as a share of the diagonal.
+std::vector<Index> stitchOpenEdges(TriangleMesh& mesh, double tolerance = 1e-6);
+
+// Welds and stitches as above, but within up to a thousandth of the diagonal, if that closes nearly
+// all that is open. Returns whether it does.
+bool closeWideCracks(TriangleMesh& mesh);
 
 }  // namespace remesher

@@ -54,6 +54,42 @@ TEST_CASE("stitch: corners that differ by little become one, at the smallest dis
   }
 }
 
+TEST_CASE("stitch: a wide crack is closed if hardly anything else is open") {
+  const TriangleMesh ball = shapes::icosphere(8);
+  const auto parted = [&](double width, double openBelow) {
+    TriangleMesh mesh = ball;
+    mesh.indices.clear();
+    for (std::size_t i = 0; i < ball.indices.size(); i += 3) {
+      double middle = 0, low = 1;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double z = ball.positions[ball.indices[i + k]].z();
+        middle += z, low = std::min(low, z);
+      }
+      if (low < openBelow) continue;
+      const Vec3 by(0, 0, middle > 0.3 ? width : 0);
+      for (std::size_t k = 0; k < 3; ++k) {
+        mesh.indices.push_back(Index(mesh.positions.size()));
+        mesh.positions.push_back(ball.positions[ball.indices[i + k]] + by);
+      }
+    }
+    return mesh;
+  };
+  const auto isClosedAfter = [&](TriangleMesh mesh) {
+    const std::size_t before = countUnbalancedEdges(mesh);
+    CHECK(before > 0);
+    closeWideCracks(mesh);
+    return countUnbalancedEdges(mesh) == 0;
+  };
+  CHECK(isClosedAfter(parted(2e-3, -2)));
+  CHECK(!isClosedAfter(parted(2e-2, -2)));
+  TriangleMesh bowl = parted(2e-3, -0.5);
+  const TriangleMesh before = bowl;
+  closeWideCracks(bowl);
+  CHECK(bowl.positions == before.positions);
+  TriangleMesh box = apart(boxWithJunctions(), 3e-4);
+  CHECK(isClosedAfter(box));
+}
+
 TEST_CASE("stitch: vertices of closed surfaces stay where they are") {
   TriangleMesh mesh = shapes::icosphere(4);
   mesh.positions.push_back(mesh.positions[0] + Vec3(1e-7, 0, 0));
