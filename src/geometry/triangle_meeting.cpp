@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/triangle_meeting.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "geometry/predicates.h"
@@ -115,6 +116,8 @@ bool isBeyondAnEdge(const NamedTriangle& s, const NamedTriangle& t) {
   const Vec3 normal = areaVector(s.at[0], s.at[1], s.at[2]);
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t k = (i + 1) % 3;
+    if (std::find(t.vertices.begin(), t.vertices.end(), s.vertices[3 - i - k]) != t.vertices.end())
+      continue;  // it shares the corner on this side
     const Vec3 outwards = (s.at[k] - s.at[i]).cross(normal);
     const double flattest = kFlattest * kFlattest * outwards.squaredNorm();
     // Else the normal of a needle is nothing but rounding.
