@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Files as people bring them to repair, by formula: bodies that overlap, generated bodies with
 // folds and leaks, scans with openings, cards and cloth.
-import { looseTriangles, moebiusStrip, nestedBoxes, tJunctions, thinHouse }
+import { cracked, looseTriangles, moebiusStrip, nestedBoxes, tJunctions, thinHouse }
   from './broken_shapes.js';
 import { sheetOf, torus } from './shapes.js';
 
@@ -55,6 +55,31 @@ function loose({ positions, indices }, noise) {
   return { indices: Uint32Array.from(indices, (_, i) => i),
     positions: Float64Array.from(Array.from(indices, (v) =>
       [...positions.subarray(3 * v, 3 * v + 3)].map((x) => x + noise * (next() - 0.5))).flat()) };
+}
+
+/** Octants that each have corners of their own, moved by up to `noise`. */
+function inOctants({ positions, indices }, noise) {
+  const next = chance(7);
+  const numbers = new Map();
+  const places = [];
+  const octantOf = (t) => [0, 1, 2].map((k) => [0, 1, 2].reduce((sum, i) =>
+    sum + positions[3 * indices[3 * t + i] + k], 0) > 0).join();
+  const own = Array.from(indices, (v, i) => {
+    const key = `${octantOf(Math.floor(i / 3))} ${v}`;
+    if (!numbers.has(key)) {
+      numbers.set(key, numbers.size);
+      places.push(...[...positions.subarray(3 * v, 3 * v + 3)]
+        .map((x) => x + noise * (next() - 0.5)));
+    }
+    return numbers.get(key);
+  });
+  return { positions: Float64Array.from(places), indices: Uint32Array.from(own) };
+}
+
+/** All corners moved by up to `noise`. */
+function noisy(mesh, noise) {
+  const next = chance(13);
+  return bent(mesh, (p) => p.map((x) => x + noise * (next() - 0.5)));
 }
 
 /** A box from a corner to the opposite one, each side of `cells` times `cells` squares. */
@@ -238,6 +263,10 @@ export const brokenFiles = {
   'corners 1e-6 apart': { of: () => loose(box([0, 0, 0], [1, 1, 1]), 1e-6), most: 12 },
   'ball, corners 1e-6 apart': { of: () => loose(bumpy(48, 24), 1e-6), most: 2300 },
   'T-junctions': { of: () => tJunctions(), most: 500 },
+  'T-junctions 1e-3 apart': { of: () => noisy(tJunctions(), 1e-3), most: 520, keeps: 0.7 },
+  'ball, octants 1e-3 apart': { of: () => inOctants(bumpy(96, 48), 1e-3), most: 9200, keeps: 0.7 },
+  'torus, corners 2e-3 apart': { of: () => cracked({ columns: 96, rows: 48 }), most: 9216 },
+  'noisy, folds at corners': { of: () => noisy(bumpy(96, 48), 0.03), most: 11000, keeps: 0.9 },
   'double shell, leaks': { of: () => doubleShell(30) },
   'double shell, closed': { of: () => doubleShell(0), keeps: 1 },
   'torn ball': { of: () => without(bumpy(96, 48), (t) => t % 61 === 0), keeps: 0.99 },
