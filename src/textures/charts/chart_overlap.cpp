@@ -41,12 +41,43 @@ double signedArea(const std::vector<PlaneEdge>& loop) {
   return 0.5 * twice;
 }
 
+// Where the border passes through a vertex: the chart lies from `out`, counterclockwise, to `in`.
+struct Passage {
+  Index vertex;
+  Vec2 at, in, out;
+
+  bool holds(const Vec2& p) const {
+    if (orient2d(at, out, in) > 0) return orient2d(at, out, p) >= 0 && orient2d(at, p, in) >= 0;
+    return orient2d(at, in, p) <= 0 || orient2d(at, p, out) <= 0;
+  }
+};
+
+// Whether the border passes a vertex twice, and the chart covers something there both times.
+bool coversTwiceAtVertex(std::span<const std::vector<PlaneEdge>> border) {
+  std::vector<Passage> passages;
+  for (const auto& loop : border)
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const PlaneEdge& in = loop[i == 0 ? loop.size() - 1 : i - 1];
+      passages.push_back({loop[i].from, loop[i].a, in.a, loop[i].b});
+    }
+  std::sort(passages.begin(), passages.end(),
+            [](const Passage& p, const Passage& q) { return p.vertex < q.vertex; });
+  for (std::size_t i = 0; i < passages.size(); ++i)
+    for (std::size_t j = i + 1; j < passages.size(); ++j) {
+      const Passage &p = passages[i], &q = passages[j];
+      if (p.vertex != q.vertex) break;
+      if (p.holds(q.out) || q.holds(p.out)) return true;
+    }
+  return false;
+}
+
 }  // namespace
 
 bool coversTwice(std::span<const std::vector<PlaneEdge>> border) {
   if (std::count_if(border.begin(), border.end(),
                     [](const auto& loop) { return signedArea(loop) > 0; }) != 1)
     return true;
+  if (coversTwiceAtVertex(border)) return true;
   std::vector<PlaneEdge> edges;
   for (const auto& loop : border) edges.insert(edges.end(), loop.begin(), loop.end());
   // Sweeps from left to right: only edges that overlap in x can meet.
