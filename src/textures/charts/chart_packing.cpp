@@ -21,6 +21,9 @@ constexpr int kTurns = 32;
 constexpr std::size_t kQuarters = 4;
 // Most cells along a side of the square.
 constexpr Index kCells = 512;
+// How many of the largest charts are tried as the first one, and how many charts are placed in all
+// orders of one kind at most, if there are several.
+constexpr std::size_t kStarts = 12, kMostPlaced = 1024;
 // The ratio between a scale at which all fits and one at which not.
 constexpr double kNearEnough = 1.01;
 
@@ -186,16 +189,19 @@ class Packer {
  public:
   Packer(std::span<const PlaneChart> charts, const PackingRules& rules)
       : rules_(rules), cell_((rules.size + kCells - 1) / kCells), cells_(int(rules.size / cell_)) {
+    std::vector<std::pair<double, Index>> bySize, byLength;
     for (const PlaneChart& chart : charts) {
       const PlaneChart flat = laidOut(chart);
       const Vec2 size = Bounds(flat).size();
-      order_.push_back({-size.sum(), Index(charts_.size())});
+      bySize.push_back({-size.sum(), Index(charts_.size())});
+      byLength.push_back({-size.maxCoeff(), Index(charts_.size())});
       longest_ = std::max(longest_, size.maxCoeff());
       charts_.push_back({flat});
       for (std::size_t turn = 1; turn < kQuarters; ++turn)
         charts_.back()[turn] = upright(charts_.back()[turn - 1]);
     }
-    std::sort(order_.begin(), order_.end());
+    addOrders(std::move(bySize));
+    addOrders(std::move(byLength));
   }
 
   Packing run() {
@@ -217,6 +223,18 @@ class Packer {
   }
 
  private:
+  // The largest first, but for the first one: where few are large, much depends on that.
+  void addOrders(std::vector<std::pair<double, Index>> keys) {
+    std::sort(keys.begin(), keys.end());
+    std::vector<Index> order;
+    for (const auto& [key, i] : keys) order.push_back(i);
+    for (std::size_t i = 0; i < std::min(kStarts, order.size()); ++i) {
+      if (orders_.size() > 0 && (i + 1) * order.size() > kMostPlaced) return;
+      std::vector<Index>& next = orders_.emplace_back(order);
+      std::rotate(next.begin(), next.begin() + i, next.begin() + i + 1);
+    }
+  }
+
   // An upper bound on the scale, by total area and by the longest chart.
   double largestThinkable() const {
     double area = 0;
@@ -319,19 +337,26 @@ class Packer {
   std::optional<std::vector<ChartPosition>> tryScale(double scale) const {
     const auto masks = masksAt(scale);
     if (!masks) return {};
+    for (const std::vector<Index>& order : orders_)
+      if (auto positions = tryOrder(*masks, order)) return positions;
+    return {};
+  }
+
+  std::optional<std::vector<ChartPosition>> tryOrder(const std::vector<Turns<Mask>>& masks,
+                                                     const std::vector<Index>& order) const {
     std::vector<TakenRow> square(cells_, TakenRow(cells_));
     std::vector<ChartPosition> positions(charts_.size());
-    for (const auto& [size, i] : order_) {
+    for (const Index i : order) {
       std::optional<ChartPosition> best;
       int top = cells_;
       for (std::size_t turn = 0; turn < kQuarters; ++turn) {
-        const std::optional<ChartPosition> position = positionFor((*masks)[i][turn], square, top);
+        const std::optional<ChartPosition> position = positionFor(masks[i][turn], square, top);
         if (!position) continue;
         best = {position->x, position->y, turn};
-        top = position->y + (*masks)[i][turn].height - 1;
+        top = position->y + masks[i][turn].height - 1;
       }
       if (!best) return {};
-      for (const CellRun& run : (*masks)[i][best->turn].runs)
+      for (const CellRun& run : masks[i][best->turn].runs)
         square[best->y + run.row].fill({run.length, run.row, best->x + run.begin});
       positions[i] = *best;
     }
@@ -356,7 +381,7 @@ class Packer {
   int cells_;   // along a side
   std::vector<Turns<PlaneChart>> charts_;
   double longest_ = 0;
-  std::vector<std::pair<double, Index>> order_;  // the largest first
+  std::vector<std::vector<Index>> orders_;  // in which they are placed
 };
 
 }  // namespace

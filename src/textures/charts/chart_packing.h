@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Packs charts into a square of texels, as large as all can be at one scale. Each chart is turned
-// to its smallest box, or by right angles from there. The largest chart is placed first, and each
+// to its smallest box, or by right angles from there. Larger charts are placed first, by their
+// boxes' sides or by the longer one, with each of the largest as the first in turn. Each is placed
 // as low as it fits, also in the holes of others: cells are compared, not boxes.
 #pragma once
 
