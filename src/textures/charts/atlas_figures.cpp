@@ -18,6 +18,9 @@ namespace {
 
 // Texels along a side for counting what is covered twice.
 constexpr int kRaster = 1024;
+// Triangles that should be less high than this in the square show nothing, and the roundings of
+// single coordinates stretch them: it is sixteen of these.
+constexpr double kLeastHeight = 1.0 / (1 << 20);
 // How far outside of the square texture coordinates may be, by rounding.
 constexpr double kOutside = 1e-4;
 
@@ -36,7 +39,9 @@ class FigureTaker {
     result.unusable = onSurface_ > 0 ? unusable_ / onSurface_ : 1;
     const double even = used_ > 0 ? std::sqrt(inSquare_ / used_) : 0;
     result.stretch = used_ > 0 ? even * std::sqrt(squares_ / used_) : 0;
-    result.worstStretch = even * worst_;
+    for (std::size_t t = 0; t < count; ++t)
+      if (isUsable(t) && even * heightOf(t) >= kLeastHeight)
+        result.worstStretch = std::max(result.worstStretch, even * stretchOf(t));
     result.overlap = overlap();
     return result;
   }
@@ -48,29 +53,57 @@ class FigureTaker {
     return {corners[0] - tile, corners[1] - tile, corners[2] - tile};
   }
 
-  void add(std::size_t t) {
-    const std::array<Vec2, 3> flatCorners = plane(t);
-    const auto& [p, q, r] = flatCorners;
-    const Vec3 &a = atlas_.positions[3 * t], &b = atlas_.positions[3 * t + 1],
-               &c = atlas_.positions[3 * t + 2];
-    const double surface = areaVector(a, b, c).norm() / 2;
-    const double flat = cross2(q - p, r - p);
-    onSurface_ += surface;
-    const bool isOutside = std::any_of(flatCorners.begin(), flatCorners.end(), [](const Vec2& uv) {
-      return !(uv.minCoeff() >= -kOutside) || !(uv.maxCoeff() <= 1 + kOutside);
-    });
-    if (isOutside || !(std::abs(flat) > 0)) {
-      unusable_ += surface;
-      return;
-    }
-    inSquare_ += std::abs(flat) / 2;
-    used_ += surface;
+  double flatArea(std::size_t t) const {
+    const auto [p, q, r] = plane(t);
+    return cross2(q - p, r - p);
+  }
+
+  bool isUsable(std::size_t t) const {
+    const std::array<Vec2, 3> corners = plane(t);
+    return std::abs(flatArea(t)) > 0 &&
+           std::all_of(corners.begin(), corners.end(), [](const Vec2& uv) {
+             return uv.minCoeff() >= -kOutside && uv.maxCoeff() <= 1 + kOutside;
+           });
+  }
+
+  Triangle surface(std::size_t t) const {
+    return {atlas_.positions[3 * t], atlas_.positions[3 * t + 1], atlas_.positions[3 * t + 2]};
+  }
+
+  // Above the longest edge.
+  double heightOf(std::size_t t) const {
+    const auto [a, b, c] = surface(t);
+    const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+    return longest > 0 ? areaVector(a, b, c).norm() / longest : 0;
+  }
+
+  // The squared lengths on the surface per length along u and v, and their product with each other.
+  std::array<double, 3> metricOf(std::size_t t) const {
+    const auto [p, q, r] = plane(t);
+    const auto [a, b, c] = surface(t);
+    const double flat = flatArea(t);
     const Vec3 perU = ((r.y() - p.y()) * (b - a) - (q.y() - p.y()) * (c - a)) / flat;
     const Vec3 perV = ((q.x() - p.x()) * (c - a) - (r.x() - p.x()) * (b - a)) / flat;
-    const double u = perU.squaredNorm(), v = perV.squaredNorm(), mixed = perU.dot(perV);
-    squares_ += surface * (u + v) / 2;
-    if (flatness(a, b, c) > kFlattest)
-      worst_ = std::max(worst_, std::sqrt((u + v + std::hypot(u - v, 2 * mixed)) / 2));
+    return {perU.squaredNorm(), perV.squaredNorm(), perU.dot(perV)};
+  }
+
+  double stretchOf(std::size_t t) const {
+    const auto [u, v, mixed] = metricOf(t);
+    return std::sqrt((u + v + std::hypot(u - v, 2 * mixed)) / 2);
+  }
+
+  void add(std::size_t t) {
+    const auto [a, b, c] = surface(t);
+    const double area = areaVector(a, b, c).norm() / 2;
+    onSurface_ += area;
+    if (!isUsable(t)) {
+      unusable_ += area;
+      return;
+    }
+    inSquare_ += std::abs(flatArea(t)) / 2;
+    used_ += area;
+    const auto [u, v, mixed] = metricOf(t);
+    squares_ += area * (u + v) / 2;
   }
 
   std::size_t countCharts() const {
@@ -124,7 +157,7 @@ class FigureTaker {
   }
 
   AtlasCorners atlas_;
-  double onSurface_ = 0, used_ = 0, inSquare_ = 0, unusable_ = 0, squares_ = 0, worst_ = 0;
+  double onSurface_ = 0, used_ = 0, inSquare_ = 0, unusable_ = 0, squares_ = 0;
 };
 
 }  // namespace

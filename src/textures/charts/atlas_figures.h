@@ -23,7 +23,7 @@ struct AtlasFigures {
   std::size_t charts = 0;
   double coverage = 0;      // of the square
   double stretch = 0;       // root mean square over the surface, as in AtlasReport
-  double worstStretch = 0;  // of all triangles but those without an area
+  double worstStretch = 0;  // of all triangles that are high enough for single coordinates
   double unusable = 0;      // of the surface: without an area in the square, or across its border
   double overlap = 0;       // of the covered texels: covered by several triangles
 };

@@ -64,3 +64,18 @@ TEST_CASE("atlas figures: maps repeat, so that all of a next square is as good")
   CHECK(f.coverage == doctest::Approx(1));
   CHECK(f.overlap == 0);
 }
+
+TEST_CASE("atlas figures: roundings of single coordinates are no stretch, a flat needle is one") {
+  const auto worst = [](double height) {
+    std::vector<Vec3> positions = {
+        {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, -height, 0}, {1, -height, 0}};
+    positions.push_back({0.5, 0, 0});
+    std::vector<Vec2> texcoords;
+    for (const Vec3& p : positions) texcoords.emplace_back(p.x() / 2, 0.5 + p.y() / 2);
+    texcoords.back().y() -= height / 4;
+    const std::vector<Index> welded = {0, 1, 2, 3, 4, 5};
+    return figuresOf({positions, welded, texcoords}).worstStretch;
+  };
+  CHECK(worst(1e-7) == doctest::Approx(1));
+  CHECK(worst(1e-3) == doctest::Approx(2).epsilon(0.01));
+}
