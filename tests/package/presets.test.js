@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import { remesh, remeshFile } from 'remesher';
-import { checkOptions, optionTable, presets } from 'remesher/options';
+import { checkOptions, isWorthBaking, optionTable, presets } from 'remesher/options';
 
 import { parseCommandLine } from '../../dist/cli/cli_arguments.js';
 import { reportInWords } from '../../dist/cli/report_in_words.js';
@@ -108,6 +108,17 @@ test('a model within the budget keeps its textures and triangles, and so do leav
   assert.equal((await stoodFor(maker('MASK', 1), 300)).report.preset.textures, undefined);
   assert.equal((await stoodFor(maker('OPAQUE', 1), 300)).report.preset.textures, 'bake');
   assert.equal((await stoodFor(maker('OPAQUE', 2), 5000)).report.preset.textures, 'bake');
+});
+
+test('materials of one kind are baked to one; with light and without are two kinds', () => {
+  const tree = (materials) => ({ materials, accessors: [{ count: 300 }, { count: 900 }],
+    meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1 }] }] });
+  const unlit = { extensions: { KHR_materials_unlit: {} } };
+  assert.ok(isWorthBaking(tree([{}, {}]), 5000));
+  assert.ok(isWorthBaking(tree([unlit, unlit]), 5000));
+  for (const other of [unlit, { doubleSided: true }, { alphaMode: 'BLEND' }]) {
+    assert.ok(!isWorthBaking(tree([{}, other]), 5000));
+  }
 });
 
 test('an unknown preset is refused, and the command line takes one', async () => {

@@ -2,8 +2,9 @@
 // Whether new textures serve a glTF file better than its own: only then does a preset bake them.
 
 /** How a material is drawn: materials of one kind can share a set of maps.
- * @param {{ alphaMode?: string, doubleSided?: boolean }} material */
-const kindOf = ({ alphaMode = 'OPAQUE', doubleSided = false }) => `${alphaMode} ${doubleSided}`;
+ * @param {{ alphaMode?: string, doubleSided?: boolean, extensions?: any }} material */
+const kindOf = ({ alphaMode = 'OPAQUE', doubleSided = false, extensions = {} }) =>
+  `${alphaMode} ${doubleSided} ${'KHR_materials_unlit' in extensions}`;
 
 const triangleList = 4;
 
