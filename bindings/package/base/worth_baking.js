@@ -8,12 +8,24 @@ const kindOf = ({ alphaMode = 'OPAQUE', doubleSided = false, extensions = {} }) 
 
 const triangleList = 4;
 
-/** @param {any} tree of a glTF file */
-const trianglesOf = ({ meshes = [], accessors = [] }) => meshes
-  .flatMap((/** @type {any} */ { primitives }) => primitives)
-  .filter((/** @type {any} */ { mode = triangleList }) => mode === triangleList)
-  .reduce((/** @type {number} */ sum, /** @type {any} */ { indices, attributes }) =>
-    sum + accessors[indices ?? attributes.POSITION].count / 3, 0);
+/** How many seams there may be, for the budget, and how far triangles may be reduced, where a model
+ * looks best with its own textures. */
+const fewSeams = 1 / 6;
+const mildly = 1 / 4;
+
+/** The triangles of a file, and about how many vertices lie on seams and boundaries: a closed
+ * surface without any has half as many vertices as triangles, and these make up half of each cut.
+ * @param {any} tree of a glTF file */
+function sizesOf({ meshes = [], accessors = [] }) {
+  let [triangles, vertices] = [0, 0];
+  for (const { mode = triangleList, indices, attributes } of
+    meshes.flatMap((/** @type {any} */ { primitives }) => primitives)) {
+    if (mode !== triangleList) continue;
+    triangles += accessors[indices ?? attributes.POSITION].count / 3;
+    vertices += accessors[attributes.POSITION].count;
+  }
+  return { triangles, seams: vertices - triangles / 2 };
+}
 
 /** Whether a texture is there only as KTX2, which cannot be baked from.
  * @param {{ source?: number, extensions?: any }} texture */
@@ -22,8 +34,9 @@ const isKtxOnly = ({ source, extensions = {} }) => source === undefined
 
 /**
  * Whether the preset `asset` bakes new textures: several materials become one. Triangles that all
- * stay keep their own texture coordinates, and so do cards whose alpha cuts them out: many leaves
- * share the texels of one. So does what has textures in KTX2 only.
+ * stay keep their own texture coordinates, and so does a surface of few seams that is not reduced
+ * much, whose texels stay sharp then. So do cards whose alpha cuts them out: many leaves share the
+ * texels of one. So does what has textures in KTX2 only.
  * @param {any} tree of a glTF file, its JSON
  * @param {number} faces the budget; 0: there is none
  * @returns {boolean}
@@ -34,7 +47,10 @@ export function isWorthBaking(tree, faces) {
     if (textures.some(isKtxOnly)) return false;
     if (new Set(materials.map(kindOf)).size < materials.length) return true;
     if (materials.some((/** @type {any} */ { alphaMode }) => alphaMode === 'MASK')) return false;
-    return faces < trianglesOf(tree);
+    const { triangles, seams } = sizesOf(tree);
+    const isMild = textures.length > 0 && seams <= fewSeams * faces
+      && faces >= mildly * triangles;
+    return !isMild && faces < triangles;
   } catch {
     return true; // the engine says what is wrong with the file
   }
