@@ -41,7 +41,7 @@ LoopRule loopRule(const TriangleMesh& input, const RemeshOptions& options, doubl
   if (options.holesUpTo) rule.longest = *options.holesUpTo / 100 * diagonalOf(input);
   rule.mostDisk = makesBodies(options) ? std::min(mostDisk, ladder::kMostDiskOfBody) : mostDisk;
   rule.keepsRims = options.keepRims;
-  rule.isForBodies = makesBodies(options);
+  rule.keepsSheets = makesBodies(options);
   return rule;
 }
 
@@ -55,7 +55,9 @@ std::optional<BodyRule> bodyRule(const TriangleMesh& input, const RemeshOptions&
 }
 
 RepairedMesh withHolesClosed(const TriangleMesh& input, const RemeshOptions& options) {
-  return asRepaired(closedOnly(input, loopRule(input, options, kInfinity)), "holes");
+  LoopRule rule = loopRule(input, options, options.keepRims ? ladder::kMostDisk : kInfinity);
+  rule.keepsSheets |= options.keepRims;
+  return asRepaired(closedOnly(input, rule), "holes");
 }
 
 RepairedMesh wrapped(const TriangleMesh& input, const RemeshOptions& options) {

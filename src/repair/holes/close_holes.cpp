@@ -151,7 +151,7 @@ void leaveSheets(const BuiltMesh& built, const LoopRule& rule, std::vector<Loop>
   };
   const auto staysOpen = [&](std::size_t l) {
     const Index component = componentOf(loops[l]);
-    if (!isSheet(component) || !rule.isForBodies) return isSheet(component);
+    if (!isSheet(component) || !rule.keepsSheets) return isSheet(component);
     return areas[l] > mostDisk * own[component] || looksMeant(built, loops[l]);
   };
   std::vector<Loop> closing;
@@ -190,7 +190,7 @@ void leaveOpen(const BuiltMesh& built, const LoopRule& rule, std::vector<Loop>& 
 }  // namespace
 
 ClosedHoles closeHoles(const TriangleMesh& input, const LoopRule& rule) {
-  const KeptSurface kept = keptSurface(input, rule.isForBodies ? Debris::Kept : Debris::Removed);
+  const KeptSurface kept = keptSurface(input, rule.keepsSheets ? Debris::Kept : Debris::Removed);
   std::vector<Loop> loops = boundaryLoops(kept.built);
   ClosedHoles result;
   leaveSheets(kept.built, rule, loops, result);

@@ -17,9 +17,9 @@ struct LoopRule {
   // card or a terrain: its loops stay open.
   double mostDisk = kInfinity;
   bool keepsRims = false;  // loops that look meant stay open
-  // Sheets become bodies afterwards: their small loops that do not look meant are closed, and open
-  // components stay, however small.
-  bool isForBodies = false;
+  // Sheets are wanted, as they are or as bodies afterwards: their small loops that do not look meant
+  // are closed, and open components stay, however small.
+  bool keepsSheets = false;
 };
 
 struct ClosedHoles {

@@ -280,6 +280,22 @@ TEST_CASE("repair: auto does what faults say would mend") {
   }
 }
 
+TEST_CASE("repair: with rims kept small open pieces stay as they are beside a hole that closes") {
+  TriangleMesh torn = shapes::icosphere(12);
+  torn.indices.resize(torn.indices.size() - 9);
+  soups::addTriangle(torn, {0, 0, 1.1}, {0.05, 0, 1.1}, {0, 0.05, 1.1});
+  RemeshOptions options;
+  options.repair = Repair::Holes;
+  const RepairedMesh closed = repairSurface(torn, options);
+  CHECK(inspectMesh(closed.mesh).components == 1);
+  options.keepRims = true;
+  const RepairedMesh kept = repairSurface(torn, options);
+  CHECK(inspectMesh(kept.mesh).components == 2);
+  CHECK(inspectMesh(kept.mesh).boundaryEdges == 3);
+  CHECK(kept.report.holes == 1);
+  CHECK(kept.report.islands == 0);
+}
+
 TEST_CASE("repair: a triangle without area that closes a T-junction keeps no bodies apart") {
   TriangleMesh box = shapes::cube(1);  // with a vertex in the middle of an edge, on one side only
   const Index middle = shapes::addVertex(box, {0.5, 0, 0});
