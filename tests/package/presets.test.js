@@ -125,7 +125,7 @@ test('a surface of few seams keeps its textures unless it is reduced much', () =
   const tree = (vertices, textures) => ({ materials: [{}], textures,
     accessors: [{ count: vertices }, { count: 3 * 4000 }],
     meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1 }] }] });
-  const [few, many] = [2100, 4000];
+  const [few, many] = [2500, 12000];
   assert.ok(!isWorthBaking(tree(few, [{}]), 1500));
   assert.ok(isWorthBaking(tree(few, [{}]), 600), 'a normal map shows what shape is lost');
   assert.ok(isWorthBaking(tree(many, [{}]), 3000), 'seams would take most vertices');

@@ -8,9 +8,7 @@ const kindOf = ({ alphaMode = 'OPAQUE', doubleSided = false, extensions = {} }) 
 
 const triangleList = 4;
 
-/** How many seams there may be, for the budget, and how far triangles may be reduced, where a model
- * looks best with its own textures. */
-const fewSeams = 1 / 6;
+/** The share of its triangles that a model must keep to look best with its own textures. */
 const mildly = 1 / 4;
 
 /** The triangles of a file, and about how many vertices lie on seams and boundaries: a closed
@@ -34,9 +32,9 @@ const isKtxOnly = ({ source, extensions = {} }) => source === undefined
 
 /**
  * Whether the preset `asset` bakes new textures: several materials become one. Triangles that all
- * stay keep their own texture coordinates, and so does a surface of few seams that is not reduced
- * much, whose texels stay sharp then. So do cards whose alpha cuts them out: many leaves share the
- * texels of one. So does what has textures in KTX2 only.
+ * stay keep their own texture coordinates. So does a surface that is not reduced much and has fewer
+ * vertices on seams than the budget has triangles: its texels stay sharp. So do cards whose alpha
+ * cuts them out: many leaves share the texels of one. So does what has textures in KTX2 only.
  * @param {any} tree of a glTF file, its JSON
  * @param {number} faces the budget; 0: there is none
  * @returns {boolean}
@@ -48,8 +46,7 @@ export function isWorthBaking(tree, faces) {
     if (new Set(materials.map(kindOf)).size < materials.length) return true;
     if (materials.some((/** @type {any} */ { alphaMode }) => alphaMode === 'MASK')) return false;
     const { triangles, seams } = sizesOf(tree);
-    const isMild = textures.length > 0 && seams <= fewSeams * faces
-      && faces >= mildly * triangles;
+    const isMild = textures.length > 0 && seams <= faces && faces >= mildly * triangles;
     return !isMild && faces < triangles;
   } catch {
     return true; // the engine says what is wrong with the file
