@@ -99,7 +99,8 @@ export default {
   'option.dropHidden': 'Verdecktes weglassen',
   'option.conform': 'Gemeinsame Flächen',
   'help.keepRims': 'Schleifen, die gewollt aussehen, bleiben offen: runde, und gerade, an denen '
-    + 'Wände enden',
+    + 'Wände enden; '
+    + 'mit holes bleiben auch kleine offene Stücke',
   'help.thickness': 'aus Blättern werden so dicke Körper, die Hälfte auf jeder Seite',
   'help.base': 'ein offenes Relief wie ein Gelände bekommt senkrechte Wände und einen flachen '
     + 'Boden, der um die Dicke unter seiner tiefsten Stelle liegt',

@@ -103,7 +103,8 @@ export default {
   'option.conform': 'Faces communes',
   'help.keepRims': 'les boucles qui semblent voulues restent ouvertes : les rondes, et les '
     + 'droites où '
-    + 'finissent des parois',
+    + 'finissent des parois ; '
+    + 'avec holes, les petits morceaux ouverts restent aussi',
   'help.thickness': 'les feuilles deviennent des corps de cette épaisseur, une moitié de '
     + 'chaque côté',
   'help.base': 'un relief ouvert, comme un terrain, reçoit des parois verticales et un fond plat, '
