@@ -17,8 +17,8 @@ struct LoopRule {
   // card or a terrain: its loops stay open.
   double mostDisk = kInfinity;
   bool keepsRims = false;  // loops that look meant stay open
-  // Sheets are wanted, as they are or as bodies afterwards: their small loops that do not look meant
-  // are closed, and open components stay, however small.
+  // Sheets are wanted, as they are or as bodies afterwards: their small loops that do not look
+  // meant are closed, and open components stay, however small.
   bool keepsSheets = false;
 };
 
