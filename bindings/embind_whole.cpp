@@ -32,7 +32,10 @@ val fileResult(const RemeshFileResult& run) {
 // request: { name, bytes, resources, output }
 val remeshBytes(const val& request, const val& options, const val& onProgress) {
   return guarded([&] {
-    return fileResult(remeshFile(bundleFrom(request), request["output"].as<std::string>(),
+    FileBundle bundle = bundleFrom(request);
+    const OptionReader read{options};
+    read("slabs", bundle.slabs.count), read("slab", bundle.slabs.only);
+    return fileResult(remeshFile(std::move(bundle), request["output"].as<std::string>(),
                                  optionsFrom(options), progressFrom(onProgress)));
   });
 }

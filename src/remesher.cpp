@@ -10,6 +10,7 @@
 #include "jobs/bare_materials.h"
 #include "jobs/checks/option_checks.h"
 #include "jobs/inspected_model.h"
+#include "jobs/inspected_parts.h"
 #include "jobs/level_files.h"
 #include "jobs/mending.h"
 #include "jobs/parts/part_joining.h"
@@ -41,6 +42,16 @@ void requireUnpainted(const RemeshOptions& options) {
   if (options.textures != Textures::Bake) return;
   throw Error(ErrorCode::InvalidOption, "textures can be baked of files only.",
               "Give the file, with its images, to remeshFile or repairFile.");
+}
+
+// A slab is the result as it was thinned out.
+SceneRun slabRun(const std::vector<io::Part>& parts) {
+  SceneRun run;
+  run.parts = parts;
+  run.report.input = PlainInspection(parts).report;
+  run.report.output = run.report.input;
+  run.report.fidelity = FidelityReport{};
+  return run;
 }
 
 // The meshes that are left, and an empty one for each that is gone.
@@ -146,7 +157,7 @@ RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
     model.parts = joinedPlaces(std::move(model.parts), options);
     if (options.quads) model.parts = cutAlongShorter(std::move(model.parts));
     whole.phase("inspect", kReadShare, kReadShare);
-    const ThinnedParts thinned(model.parts, options);
+    const ThinnedParts thinned(model.parts, options, {}, input.slabs);
     std::vector<io::Part> given;
     if (options.repair != Repair::Off && !input.pictures.empty()) given = model.parts;
     const double mended = kReadShare + (1 - kReadShare) * mendShare(options);
@@ -159,7 +170,9 @@ RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
     RemeshOptions chosen = conform.applied(thinned.applied(mending.chosen(options)));
     if (mending.isRemade() && !input.pictures.empty() && io::canHold(outputName, io::kHoldsImages))
       chosen = withPaint(std::move(chosen), model);
-    if (chosen.textures == Textures::Bake)
+    if (input.slabs.only > 0)
+      all = {slabRun(model.parts)};
+    else if (chosen.textures == Textures::Bake)
       all = remeshBaked(model,
                         {given.empty() ? given : mending.kept(given), std::move(input.pictures)},
                         chosen, body);

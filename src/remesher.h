@@ -15,6 +15,7 @@
 #include "base/options.h"
 #include "base/progress.h"
 #include "base/report.h"
+#include "base/room.h"
 #include "base/triangle_mesh.h"
 #include "base/types.h"
 
@@ -53,6 +54,7 @@ struct FileBundle {
   File file;
   std::vector<File> resources;
   std::vector<Picture> pictures = {};
+  ScanSlabs slabs = {};  // for remeshFile; of one slab the result is its thinned-out triangles
 };
 
 struct RemeshFileResult {

@@ -5,11 +5,14 @@
 // it is alive. A job whose worker dies goes to another one once its lock has run out; a job that
 // takes longer than it may is ended.
 import { createHash } from 'node:crypto';
+import { createReadStream } from 'node:fs';
 import { readFile, rename, rm, writeFile } from 'node:fs/promises';
 import { basename } from 'node:path';
 
 import { Worker } from 'bullmq';
 import { remeshFile } from 'remesher';
+
+import { joined } from './join.js';
 
 const connection =
   { url: process.env.REDIS_URL ?? 'redis://127.0.0.1:6379', maxRetriesPerRequest: null };
@@ -30,11 +33,21 @@ async function writeWhole(output, bytes) {
   }
 }
 
+/**
+ * The file's content; of a scan whose slab is wanted as a stream, which may be of any length.
+ * @param {{ input: string, pieces?: string[], options: { slab?: number } }} data
+ */
+async function contentOf({ input, pieces, options: { slab } }) {
+  if (pieces) return joined(await Promise.all(pieces.map((piece) => readFile(piece))));
+  return slab ? createReadStream(input) : readFile(input);
+}
+
 /** @param {import('bullmq').Job} job */
-async function remeshOne({ data: { input, output, options, seconds } }) {
+async function remeshOne({ data }) {
+  const { input, output, options, seconds } = data;
   console.log(`begins ${input}`);
   const signal = AbortSignal.timeout(1000 * seconds);
-  const { bytes, report } = await remeshFile(await readFile(input),
+  const { bytes, report } = await remeshFile(await contentOf(data),
     { ...options, name: basename(input), output: basename(output), signal }).catch((error) => {
     throw signal.aborted ? new Error(`it takes longer than ${seconds} s (JOB_SECONDS)`) : error;
   });

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Refuses work that no memory has room for, before it begins.
+// Refuses work that no memory has room for, before it begins, and divides a scan's into slabs.
 #pragma once
 
 #include <limits>
 #include <string>
+
+#include "base/types.h"
 
 namespace remesher {
 
@@ -28,5 +30,12 @@ std::string needsInWords(const RoomNeeds& needs, double addresses = kAddresses);
 // OUT_OF_MEMORY for a model of which there is no room to do what the verb says.
 [[noreturn]] void refuseSize(const RoomNeeds& needs, const std::string& verb,
                              const std::string& hint, double addresses = kAddresses);
+
+// How a scan is thinned out, whatever its size: in so many slabs, 1 to 256; of these only one, from
+// 1 on. 0: not asked for. Slabs that are joined in their order are remeshed to what one run of all
+// of them makes.
+struct ScanSlabs {
+  Index count = 0, only = 0;
+};
 
 }  // namespace remesher

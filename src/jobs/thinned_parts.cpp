@@ -70,8 +70,8 @@ std::optional<double> askedVertices(const RemeshOptions& options, double given) 
   return *asked * finest;
 }
 
-bool isFine(const io::Part& part, double asked, const ThinningLimits& limits) {
-  const double triangles = double(part.mesh.triangleCount());
+bool isFine(const TriangleMesh& mesh, double asked, const ThinningLimits& limits) {
+  const double triangles = double(mesh.triangleCount());
   return triangles > double(limits.triangles) && triangles > double(limits.perVertex) * asked;
 }
 
@@ -176,6 +176,17 @@ void requireRoomToRemesh(const std::vector<io::Part>& parts, const Thinning& thi
   refuseToRemesh(needs, way, limits.addresses);
 }
 
+void requireOneScan(const std::vector<io::Part>& parts, const RemeshOptions& options,
+                    const Thinning& thinning) {
+  if (!thinning.hindrance.empty())
+    throw Error(ErrorCode::InvalidOption,
+                "Slabs do not go with " + std::string(thinning.hindrance) + ".");
+  const bool isOther = options.ratio || options.weld || options.lengths.weld;
+  if (isOther || !thinning.asked || parts.size() != 1)
+    throw Error(ErrorCode::InvalidOption,
+                "Slabs are of one mesh, for a number of vertices or faces, without weld.");
+}
+
 }  // namespace
 
 std::vector<Warning> roomWarnings(const std::vector<io::Part>& parts,
@@ -195,7 +206,8 @@ std::vector<Warning> roomWarnings(const std::vector<io::Part>& parts,
 }
 
 ThinnedParts::ThinnedParts(std::vector<io::Part>& parts, const RemeshOptions& options,
-                           const ThinningLimits& limits) {
+                           const ThinningLimits& limits, const ScanSlabs& slabs)
+    : slabs_(slabs) {
   std::string_view hindrance = needingAll(options);
   if (hindrance.empty() && options.ratio && parts.size() > 1)
     hindrance = "a ratio of several meshes";
@@ -205,27 +217,56 @@ ThinnedParts::ThinnedParts(std::vector<io::Part>& parts, const RemeshOptions& op
   if (hindrance.empty()) rough = askedVertices(options, vertices);
   const auto isFineFor = [&](double asked) {
     return std::any_of(parts.begin(), parts.end(),
-                       [&](const io::Part& part) { return isFine(part, asked, limits); });
+                       [&](const io::Part& part) { return isFine(part.mesh, asked, limits); });
   };
-  const bool isFineEnough = rough && isFineFor(*rough);
-  if (!isMended(options))
+  if (slabs.only > slabs.count || (slabs.only > 0 && !options.lods.empty()))
+    throw Error(ErrorCode::InvalidOption,
+                "slab must be a number from 1 to slabs, without levels of detail.");
+  if (slabs.count > 0) requireOneScan(parts, options, {hindrance, rough});
+  const bool isFineEnough = slabs.count > 0 || (rough && isFineFor(*rough));
+  if (!isMended(options) && slabs.only == 0)
     requireRoomToRemesh(parts, {hindrance, isFineEnough ? rough : std::nullopt}, limits);
   if (isFineEnough) withinMemory([&] { thinOutFine(parts, options, limits); });
 }
 
 void ThinnedParts::thinOutFine(std::vector<io::Part>& parts, const RemeshOptions& options,
                                const ThinningLimits& limits) {
+  const auto wantedFor = [&](double asked) {
+    ThinOut wanted = {std::max(limits.fewest, std::size_t(std::ceil(double(limits.kept) * asked)))};
+    wanted.repeated = &repeated_;
+    return wanted;
+  };
+  if (slabs_.only > 0) return leaveSlab(parts, wantedFor(*askedVertices(options, 0)));
   std::vector<std::vector<Index>> first = inspect(parts);
   const double asked = *askedVertices(options, double(input_.vertices));
-  const std::size_t wanted =
-      std::max(limits.fewest, std::size_t(std::ceil(double(limits.kept) * asked)));
+  const ThinOut whole = wantedFor(asked);
   if (parts.size() == 1) samples_ = someOf(parts.front().mesh);
+  if (slabs_.count > 0)
+    return replace(parts.front(), [&](TriangleMesh& mesh) {
+      mesh = thinnedBySlabs(mesh, slabs_.count, whole);
+      return isFine(mesh, asked, limits) ? thinnedOut(std::move(mesh), whole) : std::move(mesh);
+    });
   // Parts may have borders in common.
   const OpenBorders borders = parts.size() == 1 ? OpenBorders::Shorten : OpenBorders::Keep;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    std::vector<Index> known = std::move(first[i]);
-    if (isFine(parts[i], asked, limits)) thinOut(parts[i], {wanted, borders, std::move(known)});
+    ThinOut wanted = whole;
+    wanted.borders = borders, wanted.first = std::move(first[i]);
+    if (isFine(parts[i].mesh, asked, limits))
+      replace(parts[i],
+              [&](TriangleMesh& mesh) { return thinnedOut(std::move(mesh), std::move(wanted)); });
   }
+}
+
+// The report then describes the slab.
+void ThinnedParts::leaveSlab(std::vector<io::Part>& parts, const ThinOut& whole) {
+  TriangleMesh& mesh = parts.front().mesh;
+  requireValid(mesh);
+  SlabToThin slab = slabToThin(mesh, slabs_.only - 1, slabs_.count, whole);
+  mesh = std::move(slab.mesh);
+  slab.wanted.first = std::move(inspect(parts).front());
+  samples_ = someOf(mesh);
+  replace(parts.front(),
+          [&](TriangleMesh& own) { return thinnedOut(std::move(own), std::move(slab.wanted)); });
 }
 
 // Returns the first vertices at all places. The rest of the weldings, which is larger, goes.
@@ -237,10 +278,11 @@ std::vector<std::vector<Index>> ThinnedParts::inspect(const std::vector<io::Part
   return first;
 }
 
-void ThinnedParts::thinOut(io::Part& part, ThinOut wanted) {
+template <class ThinnedOut>
+void ThinnedParts::replace(io::Part& part, const ThinnedOut& thinned) {
   given_ += part.mesh.positions.size();
   removed_ += countWithoutPlaces(part.mesh);
-  part.mesh = thinnedOut(std::move(part.mesh), std::move(wanted));
+  part.mesh = thinned(part.mesh);
   removed_ -= countWithoutPlaces(part.mesh);
   left_ += part.mesh.positions.size();
 }
@@ -288,6 +330,10 @@ void ThinnedParts::note(std::vector<SceneRun>& runs) const {
     warnings = joined(std::move(warnings),
                       {{"DEGENERATE_TRIANGLES_REMOVED",
                         "Triangles without three distinct corners were removed.", removed_}});
+  if (repeated_ > 0)
+    warnings = joined(std::move(warnings),
+                      {{"DUPLICATE_TRIANGLES_REMOVED",
+                        "Triangles that repeat another one exactly were removed.", repeated_}});
   const std::string samples =
       samples_.empty() ? "The distances are those from the thinned-out surface."
                        : "The distances are those of " + std::to_string(samples_.size()) +

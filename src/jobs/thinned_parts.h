@@ -33,9 +33,11 @@ class ThinnedParts {
  public:
   // Thins out in place. Parts stay as they are if an option asks for the original: bounds on the
   // error, densities and edges by the numbers of its vertices, repair, baking, quads. Throws
-  // OUT_OF_MEMORY, before the work, for what then has no room.
+  // OUT_OF_MEMORY, before the work, for what then has no room. If slabs are asked for, the only
+  // part is thinned out in these, whatever its size, or becomes the slab asked for; throws
+  // INVALID_OPTION if that cannot be.
   ThinnedParts(std::vector<io::Part>& parts, const RemeshOptions& options,
-               const ThinningLimits& limits = {});
+               const ThinningLimits& limits = {}, const ScanSlabs& slabs = {});
 
   bool isThinned() const { return given_ > left_; }
 
@@ -50,12 +52,16 @@ class ThinnedParts {
   void thinOutFine(std::vector<io::Part>& parts, const RemeshOptions& options,
                    const ThinningLimits& limits);
   std::vector<std::vector<Index>> inspect(const std::vector<io::Part>& parts);
-  void thinOut(io::Part& part, ThinOut wanted);
+  void leaveSlab(std::vector<io::Part>& parts, const ThinOut& whole);
+  template <class ThinnedOut>
+  void replace(io::Part& part, const ThinnedOut& thinned);
   FidelityReport measured(const SceneRun& run) const;
 
+  ScanSlabs slabs_;
   MeshReport input_;
   std::size_t given_ = 0, left_ = 0;  // vertices of the parts that were thinned out
   std::size_t removed_ = 0;           // triangles without three places
+  std::size_t repeated_ = 0;          // triangles that repeated others
   std::vector<Vec3> samples_;         // vertices of the only part
 };
 

@@ -31,6 +31,8 @@ constexpr std::size_t kSlices = 4;
 constexpr double kThin = 0.05;
 // Slabs are left with so many times the vertices wanted, since some parts of the surface need more.
 constexpr std::size_t kLeftBySlabs = 2;
+// A mesh of fewer triangles for each vertex that slabs would leave is thinned out whole.
+constexpr double kLeastForSlabs = 2.5;
 
 // A neighbour of a vertex: the triangles before and after the edge to it, and whether the edge is a
 // border.
@@ -61,6 +63,13 @@ class ThinningOut {
     joinEqual(std::move(wanted.first));
     setScale();
     gatherStars();
+    const std::vector<Kind> kinds = kinds_;
+    measureVertices();
+    const std::size_t repeated = isCrowded_ ? dropRepeated() : 0;
+    if (repeated == 0) return;
+    if (wanted.repeated) *wanted.repeated += repeated;
+    gatherStars();
+    kinds_ = kinds;
     measureVertices();
   }
 
@@ -122,6 +131,22 @@ class ThinningOut {
     for (std::size_t i = corners.size(); i-- > 0;) triangles_[--begins_[corners[i]]] = Index(i / 3);
   }
 
+  // Of triangles with the same corners in the same order the first stays.
+  std::size_t dropRepeated() {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < mesh_.indices.size(); i += 3) {
+      Index* const t = &mesh_.indices[i];
+      bool isRepeated = false;
+      forEachAt(t[0], [&](Index b, Index c, Index other) {
+        isRepeated |= other < i / 3 && b == t[1] && c == t[2];
+      });
+      if (!isRepeated) continue;
+      std::fill(t, t + 3, kNone);
+      ++count;
+    }
+    return count;
+  }
+
   // Visits the triangles at a vertex as (b, c, number), counterclockwise after the vertex. What
   // came to it in this pass is not listed yet.
   template <class Visit>
@@ -164,6 +189,7 @@ class ThinningOut {
     });
     std::size_t borders = 0;
     for (RingEdge& edge : ring_) {
+      isCrowded_ |= edge.out > 1 || edge.in > 1;
       if (edge.out > 1 || edge.in > 1) return false;
       edge.isBorder |= edge.isOpen();
       if (edge.isOpen() && borders_ == OpenBorders::Keep) return false;
@@ -180,7 +206,7 @@ class ThinningOut {
   }
 
   void measureVertices() {
-    quadrics_.resize(mesh_.positions.size());
+    quadrics_.assign(mesh_.positions.size(), {});
     for (Index v = 0; v < quadrics_.size(); ++v) {
       kinds_[v] = kindOf(v);
       LocalQuadric& quadric = quadrics_[v];
@@ -338,6 +364,7 @@ class ThinningOut {
   const OpenBorders borders_;
   double scale_ = 1;  // a power of two: edges are about 1 long
   std::size_t count_ = 0;
+  bool isCrowded_ = false;  // some triangles have an edge of the same direction
   std::vector<Kind> kinds_;
   std::vector<char> isTouched_;  // in this pass
   std::vector<Index> begins_, triangles_;
@@ -355,18 +382,38 @@ void thinOut(TriangleMesh& mesh, ThinOut wanted) {
   keepUsedVertices(mesh);
 }
 
-// Each slab is thinned out by itself, with the borders between slabs kept, to so few vertices that
-// all of them can be thinned out at once.
-TriangleMesh thinnedBySlabs(const TriangleMesh& mesh, const ThinOut& wanted) {
-  const std::size_t count = mesh.triangleCount() / wanted.atOnce + 1;
-  const double left = double(std::max(kLeftBySlabs * wanted.vertices, wanted.atOnce / 4));
+// Slabs are left with so few vertices that all of them can be thinned out at once.
+double leftBySlabs(const ThinOut& wanted) {
+  return double(std::max(kLeftBySlabs * wanted.vertices, wanted.atOnce / 4));
+}
+
+SlabToThin slabToThin(const TriangleMesh& mesh, const std::vector<Index>& triangles,
+                      const ThinOut& wanted) {
+  const double share = double(triangles.size()) / double(mesh.triangleCount());
+  const auto left = std::size_t(share * leftBySlabs(wanted));
+  return {submeshOf(mesh, triangles).mesh,
+          {left, OpenBorders::Keep, {}, triangles.size(), wanted.repeated}};
+}
+
+// What slabs have left, some two triangles for each vertex, would hardly get smaller by slabs.
+bool needsSlabs(const TriangleMesh& mesh, const ThinOut& wanted) {
+  const auto count = double(mesh.triangleCount());
+  return count > double(wanted.atOnce) && count > kLeastForSlabs * leftBySlabs(wanted);
+}
+
+}  // namespace
+
+SlabToThin slabToThin(const TriangleMesh& mesh, std::size_t number, std::size_t count,
+                      const ThinOut& wanted) {
+  return slabToThin(mesh, Slabs(mesh, count)[number], wanted);
+}
+
+TriangleMesh thinnedBySlabs(const TriangleMesh& mesh, std::size_t count, const ThinOut& wanted) {
   const Slabs slabs(mesh, count);
   TriangleMesh all;
   for (std::size_t i = 0; i < count; ++i) {
-    const std::vector<Index> triangles = slabs[i];
-    const double share = double(triangles.size()) / double(mesh.triangleCount());
-    TriangleMesh slab = submeshOf(mesh, triangles).mesh;
-    thinOut(slab, {std::size_t(share * left), OpenBorders::Keep});
+    auto [slab, own] = slabToThin(mesh, slabs[i], wanted);
+    thinOut(slab, std::move(own));
     if (i == 0)
       all = std::move(slab);
     else
@@ -375,12 +422,10 @@ TriangleMesh thinnedBySlabs(const TriangleMesh& mesh, const ThinOut& wanted) {
   return all;
 }
 
-}  // namespace
-
 TriangleMesh thinnedOut(TriangleMesh mesh, ThinOut wanted) {
   mesh.isQuads = false;
-  if (mesh.triangleCount() > wanted.atOnce) {
-    mesh = thinnedBySlabs(mesh, wanted);
+  if (needsSlabs(mesh, wanted)) {
+    mesh = thinnedBySlabs(mesh, mesh.triangleCount() / wanted.atOnce + 1, wanted);
     wanted.first.clear();
   }
   thinOut(mesh, std::move(wanted));

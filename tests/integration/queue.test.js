@@ -14,9 +14,9 @@ import { join } from 'node:path';
 import { createInterface } from 'node:readline';
 import { after, test } from 'node:test';
 
-import { inspect } from 'remesher';
+import { inspect, remeshFile } from 'remesher';
 
-import { offText, torus } from '../support/shapes.js';
+import { offText, stl, torus } from '../support/shapes.js';
 import { root } from '../support/tree.js';
 
 const folder = mkdtempSync(join(tmpdir(), 'remesher-queue-'));
@@ -174,6 +174,15 @@ test('a job is one file with one wish: what changed is done again, and nothing e
     assert.equal(input.vertices, 50);
     const back = await produce('60');
     assert.deepEqual([back.status, back.begun], [0, 15], 'their results took the place');
+
+    writeFileSync(join(folder, 'scan.stl'), stl(mesh));
+    const scan = run('scan.js', 'scan.stl', 'scan.glb', '60', '2');
+    assert.deepEqual([await scan.ended, scan.lines], [[0, null], ['scan.stl: 60 vertices']]);
+    const { bytes } = await remeshFile(readFileSync(join(folder, 'scan.stl')),
+      { name: 'scan.stl', output: 'scan.glb', vertices: 60, slabs: 2 });
+    assert.deepEqual(readFileSync(join(folder, 'scan.glb')), Buffer.from(bytes),
+      'jobs that thin out a slab each, and one that joins them');
+    assert.deepEqual(readdirSync(folder).filter((name) => name.endsWith('.ply')), []);
 
     worker.child.kill('SIGTERM');
     assert.deepEqual(await worker.ended, [0, null]);

@@ -234,6 +234,13 @@ export const optionTable = [
   { name: 'lodFiles', flag: '--lod-files', type: 'boolean', default: false, form: false,
     needs: [{ lods: true }],
     help: 'a file for each level of detail, called after the result, not one for all' },
+  { name: 'slabs', flag: '--slabs N', type: 'integer', min: 1, max: 256, form: false,
+    help: 'thin out a scan in so many slabs; if not given those above 4 million triangles in one '
+      + 'for each 4 million begun' },
+  { name: 'slab', flag: '--slab K', type: 'integer', min: 1, max: 256, form: false,
+    needs: [{ slabs: true }],
+    help: 'only thin out this slab of a file, from 1 on, to PLY: pieces for jobs on several '
+      + 'machines, which together become what --slabs alone makes' },
   { name: 'compress', flag: '--compress C', type: 'choice', choices: ['auto', 'meshopt', 'draco'],
     form: false,
     help: 'of glTF that is written: meshopt decodes fast and keeps the order of all triangles; '

@@ -282,6 +282,13 @@ async function compressionOf(job) {
   return (await import('../codecs/given_gltf.js')).compressionIn(job.file.bytes);
 }
 
+/** Refuses slabs of what is no file. @param {Job} job */
+function requireFileForSlabs(job) {
+  if (!('options' in job) || job.options.slabs === undefined || 'file' in job) return;
+  throw new RemeshError('INVALID_OPTION', '--slabs is of files, and arrays are none.',
+    'Give the file to remeshFile.');
+}
+
 /** Refuses to compress what is no glTF file. @param {Job} job */
 async function requireFile(job) {
   if ('file' in job) {
@@ -381,6 +388,7 @@ export class Engine {
   async run(job, onProgress) {
     const compress = await compressionOf(job);
     if (compress) await requireFile(job);
+    requireFileForSlabs(job);
     const settled = await withPresetSettled(await plain(job), compress);
     const outcome = withUnitSaid(settled, withPresetSaid(settled,
       await this.#painted(withLengthsSettled(settled), onProgress)));

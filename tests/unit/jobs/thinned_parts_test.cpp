@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "measure/mesh_report.h"
+#include "mesh/submesh.h"
 #include "support/shapes.h"
 
 using namespace remesher;
@@ -86,6 +87,37 @@ TEST_CASE("thinned parts: what the result can show, or an option needs, stays") 
   }
   std::vector<io::Part> parts = fineSheet();
   CHECK(!ThinnedParts(parts, vertices(60)).isThinned());
+}
+
+TEST_CASE("thinned parts: slabs of several runs, joined, are remeshed as those of one") {
+  std::vector<io::Part> whole = fineSheet(), joined;
+  const ThinnedParts all(whole, vertices(60), kSmall, {3, 0});
+  for (Index i = 1; i <= 3; ++i) {
+    std::vector<io::Part> slab = fineSheet();
+    const ThinnedParts one(slab, vertices(60), kSmall, {3, i});
+    CHECK(slab.front().mesh.triangleCount() < 2500);
+    if (joined.empty())
+      joined = slab;
+    else
+      append(joined.front().mesh, slab.front().mesh);
+  }
+  const ThinnedParts last(joined, vertices(60), kSmall);
+  CHECK(whole.front().mesh.positions.size() == 960);
+  CHECK(whole.front().mesh.positions == joined.front().mesh.positions);
+  CHECK(whole.front().mesh.indices == joined.front().mesh.indices);
+}
+
+TEST_CASE("thinned parts: slabs are refused where they would not be those of one run") {
+  std::vector<RemeshOptions> all = {RemeshOptions(), vertices(60), vertices(60), vertices(60)};
+  all[1].maxError = 1;
+  all[2].weld = 1;
+  for (const RemeshOptions& options : all) {
+    std::vector<io::Part> parts = fineSheet();
+    if (&options == &all.back()) parts.push_back(parts.front());
+    CHECK_THROWS_AS(ThinnedParts(parts, options, kSmall, {3, 1}), Error);
+  }
+  std::vector<io::Part> parts = fineSheet();
+  CHECK_THROWS_AS(ThinnedParts(parts, vertices(60), kSmall, {3, 4}), Error);
 }
 
 TEST_CASE("thinned parts: what has no room is refused before the work, in numbers that are true") {

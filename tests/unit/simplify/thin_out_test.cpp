@@ -3,11 +3,13 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/place.h"
 #include "measure/hausdorff.h"
 #include "measure/mesh_report.h"
+#include "mesh/submesh.h"
 #include "support/shapes.h"
 
 using namespace remesher;
@@ -119,4 +121,44 @@ TEST_CASE("thin out: a mesh of several slabs is as many vertices as wanted, whol
     for (std::size_t axis = 0; axis < 3; ++axis)
       CHECK(thin.attributes[0].values[3 * v + axis] ==
             float(thin.positions[v][Eigen::Index(axis)]));
+}
+
+TEST_CASE("thin out: triangles that repeat others exactly are in nobody's way") {
+  const TriangleMesh sheet = wavySheet(40);
+  TriangleMesh doubled = sheet;
+  append(doubled, sheet);
+  std::rotate(doubled.indices.end() - 3, doubled.indices.end() - 2, doubled.indices.end());
+  std::size_t repeated = 0;
+  ThinOut wanted{400};
+  wanted.repeated = &repeated;
+  const TriangleMesh thin = thinnedOut(doubled, wanted);
+  CHECK(repeated == sheet.triangleCount());
+  CHECK(thin.positions == thinnedOut(sheet, {400}).positions);
+}
+
+TEST_CASE("thin out: slabs thinned out each by itself are those of the whole") {
+  const TriangleMesh sheet = wavySheet(120);
+  ThinOut wanted{1500};
+  wanted.atOnce = 3300;
+  const std::size_t count = sheet.triangleCount() / wanted.atOnce + 1;
+  TriangleMesh joined;
+  for (std::size_t i = 0; i < count; ++i) {
+    auto [slab, own] = slabToThin(sheet, i, count, wanted);
+    CHECK(slab.triangleCount() < 2 * sheet.triangleCount() / count);
+    slab = thinnedOut(std::move(slab), std::move(own));
+    if (i == 0)
+      joined = std::move(slab);
+    else
+      append(joined, slab);
+  }
+  const TriangleMesh bySlabs = thinnedBySlabs(sheet, count, wanted);
+  CHECK(joined.positions == bySlabs.positions);
+  CHECK(joined.indices == bySlabs.indices);
+  CHECK(joined.attributes[0].values == bySlabs.attributes[0].values);
+  CHECK(joined.positions.size() < sheet.positions.size() / 3);
+  // More than are thinned out at once, and still not divided again.
+  REQUIRE(joined.triangleCount() > wanted.atOnce);
+  const TriangleMesh fromJoined = thinnedOut(joined, wanted), fromAll = thinnedOut(sheet, wanted);
+  CHECK(fromJoined.positions == fromAll.positions);
+  CHECK(fromJoined.indices == fromAll.indices);
 }
