@@ -45,12 +45,12 @@ void requireUnpainted(const RemeshOptions& options) {
 }
 
 // A slab is the result as it was thinned out.
-SceneRun slabRun(const std::vector<io::Part>& parts) {
+SceneRun slabRun(std::vector<io::Part>& parts) {
   SceneRun run;
-  run.parts = parts;
-  run.report.input = PlainInspection(parts).report;
+  run.parts = std::move(parts);
+  run.report.input = PlainInspection(run.parts).report;
   run.report.output = run.report.input;
-  run.report.fidelity = FidelityReport{};
+  run.report.fidelity.emplace();
   return run;
 }
 
@@ -171,7 +171,7 @@ RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
     if (mending.isRemade() && !input.pictures.empty() && io::canHold(outputName, io::kHoldsImages))
       chosen = withPaint(std::move(chosen), model);
     if (input.slabs.only > 0)
-      all = {slabRun(model.parts)};
+      all.push_back(slabRun(model.parts));
     else if (chosen.textures == Textures::Bake)
       all = remeshBaked(model,
                         {given.empty() ? given : mending.kept(given), std::move(input.pictures)},

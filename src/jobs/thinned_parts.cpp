@@ -177,14 +177,13 @@ void requireRoomToRemesh(const std::vector<io::Part>& parts, const Thinning& thi
 }
 
 void requireOneScan(const std::vector<io::Part>& parts, const RemeshOptions& options,
-                    const Thinning& thinning) {
-  if (!thinning.hindrance.empty())
+                    const ScanSlabs& slabs, bool isNumbered) {
+  const bool isOther = options.ratio || options.weld || options.lengths.weld ||
+                       slabs.only > slabs.count || (slabs.only > 0 && !options.lods.empty());
+  if (isOther || !isNumbered || parts.size() != 1)
     throw Error(ErrorCode::InvalidOption,
-                "Slabs do not go with " + std::string(thinning.hindrance) + ".");
-  const bool isOther = options.ratio || options.weld || options.lengths.weld;
-  if (isOther || !thinning.asked || parts.size() != 1)
-    throw Error(ErrorCode::InvalidOption,
-                "Slabs are of one mesh, for a number of vertices or faces, without weld.");
+                "Slabs are of one mesh, for a number of vertices or faces, without weld and what "
+                "needs the original, as repair or maxError; slab is 1 to slabs, without lods.");
 }
 
 }  // namespace
@@ -219,10 +218,7 @@ ThinnedParts::ThinnedParts(std::vector<io::Part>& parts, const RemeshOptions& op
     return std::any_of(parts.begin(), parts.end(),
                        [&](const io::Part& part) { return isFine(part.mesh, asked, limits); });
   };
-  if (slabs.only > slabs.count || (slabs.only > 0 && !options.lods.empty()))
-    throw Error(ErrorCode::InvalidOption,
-                "slab must be a number from 1 to slabs, without levels of detail.");
-  if (slabs.count > 0) requireOneScan(parts, options, {hindrance, rough});
+  if (slabs.count > 0) requireOneScan(parts, options, slabs, rough.has_value());
   const bool isFineEnough = slabs.count > 0 || (rough && isFineFor(*rough));
   if (!isMended(options) && slabs.only == 0)
     requireRoomToRemesh(parts, {hindrance, isFineEnough ? rough : std::nullopt}, limits);
@@ -239,21 +235,21 @@ void ThinnedParts::thinOutFine(std::vector<io::Part>& parts, const RemeshOptions
   if (slabs_.only > 0) return leaveSlab(parts, wantedFor(*askedVertices(options, 0)));
   std::vector<std::vector<Index>> first = inspect(parts);
   const double asked = *askedVertices(options, double(input_.vertices));
-  const ThinOut whole = wantedFor(asked);
   if (parts.size() == 1) samples_ = someOf(parts.front().mesh);
-  if (slabs_.count > 0)
-    return replace(parts.front(), [&](TriangleMesh& mesh) {
-      mesh = thinnedBySlabs(mesh, slabs_.count, whole);
-      return isFine(mesh, asked, limits) ? thinnedOut(std::move(mesh), whole) : std::move(mesh);
-    });
+  const auto isFineFor = [&](const io::Part& part) { return isFine(part.mesh, asked, limits); };
+  ThinOut wanted = wantedFor(asked);
   // Parts may have borders in common.
-  const OpenBorders borders = parts.size() == 1 ? OpenBorders::Shorten : OpenBorders::Keep;
+  if (parts.size() > 1) wanted.borders = OpenBorders::Keep;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    ThinOut wanted = whole;
-    wanted.borders = borders, wanted.first = std::move(first[i]);
-    if (isFine(parts[i].mesh, asked, limits))
-      replace(parts[i],
-              [&](TriangleMesh& mesh) { return thinnedOut(std::move(mesh), std::move(wanted)); });
+    if (slabs_.count == 0 && !isFineFor(parts[i])) continue;
+    noteGiven(parts[i].mesh);
+    wanted.first = std::move(first[i]);
+    if (slabs_.count > 0) {
+      wanted.first.clear();
+      parts[i].mesh = thinnedBySlabs(parts[i].mesh, slabs_.count, wanted);
+    }
+    if (isFineFor(parts[i])) parts[i].mesh = thinnedOut(std::move(parts[i].mesh), wanted);
+    noteLeft(parts[i].mesh);
   }
 }
 
@@ -265,8 +261,9 @@ void ThinnedParts::leaveSlab(std::vector<io::Part>& parts, const ThinOut& whole)
   mesh = std::move(slab.mesh);
   slab.wanted.first = std::move(inspect(parts).front());
   samples_ = someOf(mesh);
-  replace(parts.front(),
-          [&](TriangleMesh& own) { return thinnedOut(std::move(own), std::move(slab.wanted)); });
+  noteGiven(mesh);
+  mesh = thinnedOut(std::move(mesh), std::move(slab.wanted));
+  noteLeft(mesh);
 }
 
 // Returns the first vertices at all places. The rest of the weldings, which is larger, goes.
@@ -278,13 +275,14 @@ std::vector<std::vector<Index>> ThinnedParts::inspect(const std::vector<io::Part
   return first;
 }
 
-template <class ThinnedOut>
-void ThinnedParts::replace(io::Part& part, const ThinnedOut& thinned) {
-  given_ += part.mesh.positions.size();
-  removed_ += countWithoutPlaces(part.mesh);
-  part.mesh = thinned(part.mesh);
-  removed_ -= countWithoutPlaces(part.mesh);
-  left_ += part.mesh.positions.size();
+void ThinnedParts::noteGiven(const TriangleMesh& mesh) {
+  given_ += mesh.positions.size();
+  removed_ += countWithoutPlaces(mesh);
+}
+
+void ThinnedParts::noteLeft(const TriangleMesh& mesh) {
+  left_ += mesh.positions.size();
+  removed_ -= countWithoutPlaces(mesh);
 }
 
 RemeshOptions ThinnedParts::applied(RemeshOptions options) const {
@@ -326,14 +324,13 @@ void ThinnedParts::note(std::vector<SceneRun>& runs) const {
     if (i > 0 && i <= levels.size()) describe(levels[i - 1], fidelity);
   }
   std::vector<Warning>& warnings = runs.front().report.warnings;
-  if (removed_ > 0)
-    warnings = joined(std::move(warnings),
-                      {{"DEGENERATE_TRIANGLES_REMOVED",
-                        "Triangles without three distinct corners were removed.", removed_}});
-  if (repeated_ > 0)
-    warnings = joined(std::move(warnings),
-                      {{"DUPLICATE_TRIANGLES_REMOVED",
-                        "Triangles that repeat another one exactly were removed.", repeated_}});
+  const auto add = [&](const char* code, const char* message, std::size_t count) {
+    if (count > 0) warnings = joined(std::move(warnings), {{code, message, count}});
+  };
+  add("DEGENERATE_TRIANGLES_REMOVED", "Triangles without three distinct corners were removed.",
+      removed_);
+  add("DUPLICATE_TRIANGLES_REMOVED", "Triangles that repeat another one exactly were removed.",
+      repeated_);
   const std::string samples =
       samples_.empty() ? "The distances are those from the thinned-out surface."
                        : "The distances are those of " + std::to_string(samples_.size()) +

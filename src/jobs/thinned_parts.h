@@ -53,8 +53,8 @@ class ThinnedParts {
                    const ThinningLimits& limits);
   std::vector<std::vector<Index>> inspect(const std::vector<io::Part>& parts);
   void leaveSlab(std::vector<io::Part>& parts, const ThinOut& whole);
-  template <class ThinnedOut>
-  void replace(io::Part& part, const ThinnedOut& thinned);
+  void noteGiven(const TriangleMesh& mesh);
+  void noteLeft(const TriangleMesh& mesh);
   FidelityReport measured(const SceneRun& run) const;
 
   ScanSlabs slabs_;

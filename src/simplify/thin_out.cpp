@@ -62,15 +62,15 @@ class ThinningOut {
         isTouched_(mesh.positions.size(), 0) {
     joinEqual(std::move(wanted.first));
     setScale();
-    gatherStars();
     const std::vector<Kind> kinds = kinds_;
-    measureVertices();
-    const std::size_t repeated = isCrowded_ ? dropRepeated() : 0;
-    if (repeated == 0) return;
-    if (wanted.repeated) *wanted.repeated += repeated;
-    gatherStars();
-    kinds_ = kinds;
-    measureVertices();
+    std::size_t repeated = 0;
+    do {
+      kinds_ = kinds;
+      gatherStars();
+      measureVertices();
+      repeated = isCrowded_ ? dropRepeated() : 0;
+      if (wanted.repeated) *wanted.repeated += repeated;
+    } while (repeated > 0);
   }
 
   void run(std::size_t wanted) {

@@ -40,11 +40,12 @@ test('slabs that would not be those of one run are refused in a sentence', async
   const refused = async (/** @type {object} */ more, /** @type {RegExp} */ message) =>
     assert.rejects(remeshFile(off, { name: 'scan.off', output: 'ply', worker: false, ...more }),
       { code: 'INVALID_OPTION', message });
-  await refused({ slabs: 3 }, /for a number of vertices or faces/);
   await refused({ slab: 3, vertices: 300 }, /slab needs slabs/);
-  await refused({ slabs: 3, slab: 4, vertices: 300 }, /from 1 to slabs/);
-  await refused({ slabs: 3, slab: 1, vertices: 300, maxError: 1 }, /do not go with maxError/);
-  await refused({ slabs: 3, slab: 1, vertices: 300, lods: [0.5] }, /without levels/);
+  const slabs = 3, vertices = 300;
+  for (const more of [{}, { vertices, slab: 4 }, { vertices, maxError: 1 }, { vertices, weld: 1 },
+    { vertices, slab: 1, lods: [0.5], output: 'glb' }]) {
+    await refused({ slabs, ...more }, /^scan\.off: Slabs are of one mesh/);
+  }
   await assert.rejects(remesh(shape, { ...options, slabs: 2 }), { code: 'INVALID_OPTION',
     message: /slabs are for files/ });
 });
