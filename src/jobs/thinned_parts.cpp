@@ -183,7 +183,7 @@ void requireOneScan(const std::vector<io::Part>& parts, const RemeshOptions& opt
   if (isOther || !isNumbered || parts.size() != 1)
     throw Error(ErrorCode::InvalidOption,
                 "Slabs are of one mesh, for a number of vertices or faces, without weld and what "
-                "needs the original, as repair or maxError; slab is 1 to slabs, without lods.");
+                "needs the original; slab is 1 to slabs, without lods.");
 }
 
 }  // namespace
@@ -227,43 +227,42 @@ ThinnedParts::ThinnedParts(std::vector<io::Part>& parts, const RemeshOptions& op
 
 void ThinnedParts::thinOutFine(std::vector<io::Part>& parts, const RemeshOptions& options,
                                const ThinningLimits& limits) {
-  const auto wantedFor = [&](double asked) {
-    ThinOut wanted = {std::max(limits.fewest, std::size_t(std::ceil(double(limits.kept) * asked)))};
-    wanted.repeated = &repeated_;
-    return wanted;
+  ThinOut wanted;
+  wanted.repeated = &repeated_;
+  const auto wantFor = [&](double asked) {
+    wanted.vertices = std::max(limits.fewest, std::size_t(std::ceil(double(limits.kept) * asked)));
   };
-  if (slabs_.only > 0) return leaveSlab(parts, wantedFor(*askedVertices(options, 0)));
+  const bool isSlab = slabs_.only > 0;
+  if (isSlab) {
+    // The report then describes the slab.
+    TriangleMesh& mesh = parts.front().mesh;
+    requireValid(mesh);
+    wantFor(*askedVertices(options, 0));
+    SlabToThin slab = slabToThin(mesh, slabs_.only - 1, slabs_.count, wanted);
+    mesh = std::move(slab.mesh);
+    wanted = std::move(slab.wanted);
+  }
   std::vector<std::vector<Index>> first = inspect(parts);
   const double asked = *askedVertices(options, double(input_.vertices));
-  if (parts.size() == 1) samples_ = someOf(parts.front().mesh);
-  const auto isFineFor = [&](const io::Part& part) { return isFine(part.mesh, asked, limits); };
-  ThinOut wanted = wantedFor(asked);
+  if (!isSlab) wantFor(asked);
   // Parts may have borders in common.
-  if (parts.size() > 1) wanted.borders = OpenBorders::Keep;
+  if (parts.size() > 1)
+    wanted.borders = OpenBorders::Keep;
+  else
+    samples_ = someOf(parts.front().mesh);
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (slabs_.count == 0 && !isFineFor(parts[i])) continue;
-    noteGiven(parts[i].mesh);
-    wanted.first = std::move(first[i]);
-    if (slabs_.count > 0) {
-      wanted.first.clear();
-      parts[i].mesh = thinnedBySlabs(parts[i].mesh, slabs_.count, wanted);
+    TriangleMesh& mesh = parts[i].mesh;
+    if (slabs_.count == 0 && !isFine(mesh, asked, limits)) continue;
+    noteGiven(mesh);
+    ThinOut own = wanted;
+    own.first = std::move(first[i]);
+    if (slabs_.count > 0 && !isSlab) {
+      own.first.clear();
+      mesh = thinnedBySlabs(mesh, slabs_.count, wanted);
     }
-    if (isFineFor(parts[i])) parts[i].mesh = thinnedOut(std::move(parts[i].mesh), wanted);
-    noteLeft(parts[i].mesh);
+    if (isSlab || isFine(mesh, asked, limits)) mesh = thinnedOut(std::move(mesh), std::move(own));
+    noteLeft(mesh);
   }
-}
-
-// The report then describes the slab.
-void ThinnedParts::leaveSlab(std::vector<io::Part>& parts, const ThinOut& whole) {
-  TriangleMesh& mesh = parts.front().mesh;
-  requireValid(mesh);
-  SlabToThin slab = slabToThin(mesh, slabs_.only - 1, slabs_.count, whole);
-  mesh = std::move(slab.mesh);
-  slab.wanted.first = std::move(inspect(parts).front());
-  samples_ = someOf(mesh);
-  noteGiven(mesh);
-  mesh = thinnedOut(std::move(mesh), std::move(slab.wanted));
-  noteLeft(mesh);
 }
 
 // Returns the first vertices at all places. The rest of the weldings, which is larger, goes.

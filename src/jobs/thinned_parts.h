@@ -52,7 +52,6 @@ class ThinnedParts {
   void thinOutFine(std::vector<io::Part>& parts, const RemeshOptions& options,
                    const ThinningLimits& limits);
   std::vector<std::vector<Index>> inspect(const std::vector<io::Part>& parts);
-  void leaveSlab(std::vector<io::Part>& parts, const ThinOut& whole);
   void noteGiven(const TriangleMesh& mesh);
   void noteLeft(const TriangleMesh& mesh);
   FidelityReport measured(const SceneRun& run) const;
