@@ -12,6 +12,7 @@ add_executable(unit_tests
   tests/unit/base/patience_test.cpp
   tests/unit/base/phase_clock_test.cpp
   tests/unit/base/place_test.cpp
+  tests/unit/base/sort_pairs_test.cpp
   tests/unit/base/versioned_queue_test.cpp
   tests/unit/boolean_test.cpp
   tests/unit/contact/common_faces_test.cpp

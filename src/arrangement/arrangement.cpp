@@ -64,9 +64,9 @@ class Run {
         options_(options),
         toNormal_(normalScale(input.positions)),
         normal_(scaled(input.positions, toNormal_)),
-        tree_(normal_, input.indices),
         points_(normal_),
-        triangles_{input.indices, input.operands, tree_, input.meeting} {}
+        triangles_{input.indices, input.operands,
+                   [this]() -> const TriangleTree& { return tree(); }, input.meeting} {}
 
   ArrangementResult run() {
     ArrangementResult result;
@@ -76,6 +76,7 @@ class Run {
       return result;
     }
     KeptFacets kept = boundaryOfInside(points_, triangles_, *facets, options_.isInside);
+    result.isOutsideDropped = kept.isOutsideDropped;
     kept = mergedFacets(points_, triangles_, input_.classes, *facets, std::move(kept));
     result.work = facets->work + kept.work;
     result.cut = facets->cutTriangles;
@@ -87,6 +88,11 @@ class Run {
   static std::vector<Vec3> scaled(std::vector<Vec3> positions, double by) {
     for (Vec3& p : positions) p *= by;
     return positions;
+  }
+
+  const TriangleTree& tree() {
+    if (!tree_) tree_.emplace(normal_, input_.indices);
+    return *tree_;
   }
 
   // The new points that are used follow the given ones.
@@ -106,6 +112,7 @@ class Run {
     mendRounded(result.positions, given, kept);
     result.indices = std::move(kept.corners);
     std::vector<std::uint8_t> isUsed(triangles_.size(), 0);
+    result.triangles.reserve(kept.from.size());
     for (Index f = 0; f < kept.from.size(); ++f) {
       const FacetParent& from = kept.from[f];
       isUsed[from.triangle] = 1;
@@ -142,7 +149,7 @@ class Run {
   const ArrangementOptions& options_;
   const double toNormal_;
   const std::vector<Vec3> normal_;
-  const TriangleTree tree_;
+  std::optional<TriangleTree> tree_;
   PointPool points_;
   const ArrangedTriangles triangles_;
 };
@@ -211,10 +218,12 @@ ArrangementResult snapped(const ArrangementResult& first, std::span<const Index>
   ArrangementResult result;
   result.positions = first.positions;
   KeptFacets facets{first.indices, {}, {}};
+  facets.from.reserve(first.triangles.size());
   for (Index t = 0; t < first.triangles.size(); ++t) facets.from.push_back({t, 1});
   snapTogether(result.positions, facets, around, {tolerance, roundingOf(options)});
   mendRounded(result.positions, 0, facets);
   result.indices = std::move(facets.corners);
+  result.triangles.reserve(facets.from.size());
   for (std::size_t f = 0; f < facets.from.size(); ++f) {
     const Index from = facets.from[f].triangle;
     ArrangedTriangle triangle = first.triangles[from];
@@ -229,6 +238,7 @@ ArrangementResult snapped(const ArrangementResult& first, std::span<const Index>
     result.triangles.push_back(triangle);
   }
   result.cut = first.cut, result.work = first.work, result.dropped = first.dropped;
+  result.isOutsideDropped = first.isOutsideDropped;
   return result;
 }
 
@@ -266,6 +276,7 @@ ArrangementResult arrangedAgain(const ArrangementInput& input, const Arrangement
   }
   result.cut = first.cut;
   result.work += first.work;
+  result.isOutsideDropped |= first.isOutsideDropped;
   result.dropped =
       static_cast<std::size_t>(std::count(isUsed.begin(), isUsed.end(), std::uint8_t{0}));
   return result;

@@ -60,6 +60,8 @@ struct ArrangementResult {
   std::vector<ArrangedTriangle> triangles;
   std::size_t cut = 0;      // triangles of the input that met others
   std::size_t dropped = 0;  // triangles of the input that the result has no part of
+  // Whether parts of triangles went that have no inside on either side: all others are hidden.
+  bool isOutsideDropped = false;
   // Triangles of the result that meet others beyond common corners and edges, by rounding.
   std::vector<Index> selfIntersections;
   std::size_t work = 0;

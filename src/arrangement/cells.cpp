@@ -36,9 +36,13 @@ class Cells {
     joinSides();
     windAll();
     KeptFacets kept;
+    kept.isOutsideDropped = walls_.size() < facets_.size();  // those cancel, wherever they are
     for (Index wall = 0; wall < walls_.size(); ++wall) {
       const bool isFrontInside = isInside(winding(front(wall)));
-      if (isFrontInside == isInside(winding(back(wall)))) continue;
+      if (isFrontInside == isInside(winding(back(wall)))) {
+        kept.isOutsideDropped |= !isFrontInside;
+        continue;
+      }
       std::array<Index, 3> c = {corners_[3 * wall], corners_[3 * wall + 1], corners_[3 * wall + 2]};
       if (isFrontInside) std::swap(c[1], c[2]);
       kept.corners.insert(kept.corners.end(), c.begin(), c.end());
@@ -174,7 +178,7 @@ class Cells {
     ray.high = points_.position(start).array() + kRounding;
     ray.high[view.left] = kBeyondAll;
     const std::span<const FacetParent> own = facets_.parentsOf(walls_[wall]);
-    triangles_.tree.visitOverlapping(ray, [&](Index t) {
+    visitOverlapping(ray, [&](Index t) {
       ++work_;
       if (std::any_of(own.begin(), own.end(),
                       [t](const FacetParent& p) { return p.triangle == t; }))
@@ -195,6 +199,18 @@ class Cells {
     return isClear ? std::optional(sum) : std::nullopt;
   }
 
+  // For a few boxes all triangles are looked at, which takes less than a tree.
+  template <class Visit>
+  void visitOverlapping(const Box& box, Visit visit) {
+    constexpr int kFew = 8;
+    if (++boxes_ > kFew) return triangles_.tree().visitOverlapping(box, visit);
+    for (Index t = 0; t < triangles_.size(); ++t) {
+      Box own;
+      for (const Index corner : triangles_[t]) own.extend(points_.position(corner));
+      if (own.overlaps(box)) visit(t);
+    }
+  }
+
   PointPool& points_;
   const ArrangedTriangles& triangles_;
   const Facets& facets_;
@@ -204,6 +220,7 @@ class Cells {
   DisjointSets bodies_{0};      // of walls
   DisjointSets cells_{0};       // of their sides
   std::vector<int> windings_;   // per cell, by its lowest side, and operand
+  int boxes_ = 0;               // for which triangles were looked at
   std::size_t work_ = 0;
 };
 

@@ -20,6 +20,7 @@ struct KeptFacets {
   std::vector<Index> corners;     // three per facet, counterclockwise seen from outside
   std::vector<FacetParent> from;  // per facet: a triangle that contains it
   std::vector<Index> facets;      // per facet its number before; kNone for one that was made since
+  bool isOutsideDropped = false;  // whether some went that have no inside on either side
   std::size_t work = 0;
 };
 

@@ -7,6 +7,7 @@
 
 #include "arrangement/sheet_triangulation.h"
 #include "arrangement/sheets.h"
+#include "base/sort_pairs.h"
 
 namespace remesher {
 
@@ -115,12 +116,16 @@ class SheetCut {
   std::vector<std::vector<FacetParent>> parents_;  // per triangle of the sheet, ascending
 };
 
-Facets inOrderOfParents(const Facets& facets) {
+Facets inOrderOfParents(const Facets& facets, std::size_t triangles) {
   std::vector<Index> order(facets.size());
   std::iota(order.begin(), order.end(), Index{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](Index a, Index b) { return facets.parent(a) < facets.parent(b); });
+  sortInBuckets(
+      order, triangles, [&](Index f) { return facets.parent(f); },
+      [](Index a, Index b) { return a < b; });
   Facets result;
+  result.corners.reserve(facets.corners.size());
+  result.parents.reserve(facets.parents.size());
+  result.firstParents.reserve(facets.firstParents.size());
   result.isCut = facets.isCut;
   result.cutTriangles = facets.cutTriangles, result.work = facets.work;
   for (const Index f : order) {
@@ -157,7 +162,7 @@ std::optional<Facets> cutTriangles(PointPool& points, const ArrangedTriangles& t
     result.parents.push_back({t, 1});
     result.firstParents.push_back(static_cast<Index>(result.parents.size()));
   }
-  return inOrderOfParents(result);
+  return inOrderOfParents(result, triangles.size());
 }
 
 }  // namespace remesher

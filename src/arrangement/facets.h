@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -16,9 +17,9 @@ namespace remesher {
 
 // The triangles to arrange, with points of a pool as corners.
 struct ArrangedTriangles {
-  const std::vector<Index>& corners;   // three per triangle
-  const std::vector<Index>& operands;  // one per triangle
-  const TriangleTree& tree;
+  const std::vector<Index>& corners;                 // three per triangle
+  const std::vector<Index>& operands;                // one per triangle
+  const std::function<const TriangleTree&()> tree;   // of all, built when it is first asked for
   const std::optional<std::vector<Index>>& meeting;  // see ArrangementInput
 
   GivenPlane operator[](Index t) const {

@@ -20,8 +20,9 @@ class RoundedSurface {
       : positions_(positions), firstNew_(firstNew), facets_(facets) {}
 
   void run() {
-    if (weldNew()) cancelOpposite();
-    const std::vector<Index> needles = findNeedles();
+    const bool isAnyWelded = weldNew();
+    if (isAnyWelded) cancelOpposite();
+    const std::vector<Index> needles = findNeedles(isAnyWelded ? 0 : firstNew_);
     if (needles.empty()) return;
     flipAway(needles);
     cancelOpposite();
@@ -93,10 +94,13 @@ class RoundedSurface {
     return !hasArea({positions_[c[0]], positions_[c[1]], positions_[c[2]]});
   }
 
-  std::vector<Index> findNeedles() const {
+  // Among the facets with a point from this number on: only rounding makes needles.
+  std::vector<Index> findNeedles(std::size_t from) const {
     std::vector<Index> needles;
-    for (Index f = 0; f < size(); ++f)
-      if (isNeedle(f)) needles.push_back(f);
+    for (Index f = 0; f < size(); ++f) {
+      const std::array<Index, 3> c = corners(f);
+      if (std::max({c[0], c[1], c[2]}) >= from && isNeedle(f)) needles.push_back(f);
+    }
     return needles;
   }
 

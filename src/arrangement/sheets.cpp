@@ -56,7 +56,7 @@ class SheetSearch {
       const TriangleTree tree(points_.positions(), corners);
       tree.visitPairs([&](Index s, Index t) { look((*few)[s], (*few)[t]); });
     } else {
-      triangles_.tree.visitPairs(look);
+      triangles_.tree().visitPairs(look);
     }
     std::sort(pairs.begin(), pairs.end());
     return pairs;

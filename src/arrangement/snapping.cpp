@@ -250,13 +250,16 @@ class Snapping {
   bool divide(const DividedEdges& edges) {
     if (edges.empty()) return false;
     const std::size_t before = size();
+    std::vector<std::uint8_t> isEnd(positions_.size(), 0);  // of an edge that may be divided
+    for (const Index p : points_) isEnd[p] = 1;
     for (Index f = 0; f < before; ++f) {
-      const std::vector<Corners> made = parts(corners(f), edges);
-      if (made.size() == 1 && made.front() == corners(f)) continue;
+      const Corners c = corners(f);
+      if (isEnd[c[0]] + isEnd[c[1]] + isEnd[c[2]] < 2) continue;
+      const std::vector<Corners> made = parts(c, edges);
+      if (made.size() == 1 && made.front() == c) continue;
       const FacetParent from = facets_.from[f];
       // A facet that vanishes gets one corner twice.
-      const Corners first =
-          made.empty() ? Corners{corners(f)[0], corners(f)[0], corners(f)[0]} : made.front();
+      const Corners first = made.empty() ? Corners{c[0], c[0], c[0]} : made.front();
       std::copy(first.begin(), first.end(), facets_.corners.begin() + std::ptrdiff_t{3} * f);
       isNear_[f] = 1;
       for (std::size_t i = 1; i < made.size(); ++i) append(made[i], from);

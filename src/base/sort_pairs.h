@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Sorting for the many short lists that a bucket sort leaves.
+// Bucket sort, and sorting of the many short lists that it leaves.
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "base/types.h"
 
@@ -20,6 +22,23 @@ inline void sortPairs(std::span<std::pair<Index, Index>> pairs) {
     for (; k > 0 && pair < pairs[k - 1]; --k) pairs[k] = pairs[k - 1];
     pairs[k] = pair;
   }
+}
+
+// A counting sort by the first key, then short sorts of what shares it. keyOf: below `keys`;
+// isBefore: ascends by it first, and tells any two items apart.
+template <class Item, class KeyOf, class IsBefore>
+void sortInBuckets(std::vector<Item>& items, std::size_t keys, KeyOf keyOf, IsBefore isBefore) {
+  std::vector<Index> starts(keys + 1, 0);
+  for (const Item& item : items) ++starts[std::size_t{keyOf(item)} + 1];
+  for (std::size_t key = 0; key < keys; ++key) starts[key + 1] += starts[key];
+  std::vector<Index> next(starts.begin(), starts.end() - 1);
+  std::vector<Item> sorted(items.size());
+  for (const Item& item : items) sorted[next[keyOf(item)]++] = item;
+  for (std::size_t key = 0; key < keys; ++key)
+    if (starts[key + 1] - starts[key] > 1)
+      std::sort(sorted.begin() + std::ptrdiff_t(starts[key]),
+                sorted.begin() + std::ptrdiff_t(starts[key + 1]), isBefore);
+  items = std::move(sorted);
 }
 
 }  // namespace remesher

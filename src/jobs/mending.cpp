@@ -90,11 +90,12 @@ void recountMeeting(Report& report, const std::vector<io::Part>& result) {
 
 // Angles are no concern of a repair.
 std::vector<Warning> damageIn(const Report& report, const std::vector<io::Part>& result) {
-  const BeforeAndAfter figures{report.input, *report.output};
+  MeshReport after = *report.output;
+  after.minAngle = report.input.minAngle;
+  const BeforeAndAfter figures{report.input, after};
   std::vector<Warning> warnings =
       joined(worseThanGiven(figures, result), lostToRounding(report, result));
   if (report.repair) warnings = joined(std::move(warnings), edgesLeft(figures, result));
-  std::erase_if(warnings, [](const Warning& warning) { return warning.code == "ANGLES_WORSE"; });
   return warnings;
 }
 
@@ -113,6 +114,14 @@ void sayJoined(RepairReport& repair, const std::vector<io::Part>& given,
   if (repair.reason != "sound") return;
   for (std::size_t i = 0; i < given.size(); ++i)
     if (!joinsNothing(given[i].mesh, joined[i].mesh)) repair.reason = "closed";
+}
+
+bool areSame(const std::vector<io::Part>& some, const std::vector<io::Part>& others) {
+  return std::equal(some.begin(), some.end(), others.begin(), others.end(),
+                    [](const io::Part& one, const io::Part& other) {
+                      return one.mesh.isQuads == other.mesh.isQuads &&
+                             io::isSame(one.mesh, other.mesh);
+                    });
 }
 
 }  // namespace
@@ -258,8 +267,8 @@ RepairedParts repairOnly(std::vector<io::Part>& parts, Held held, bool mayStay,
   progress.phase("measure", 1, 1);
   Report report;
   const std::vector<io::Part> shown = asHeld(parts, held);
-  report.output = inspectScaled(shown);
   mending.note(report);
+  report.output = areSame(shown, originals) ? report.input : inspectScaled(shown);
   if (report.repair) sayJoined(*report.repair, given, originals);
   if (report.repair && (isRounded || shown.size() < parts.size())) recountCrossings(report, shown);
   report.warnings = joined(std::move(report.warnings), damageIn(report, shown));

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/fires.h"
+#include "base/place.h"
 #include "io/model/bake.h"
 #include "io/model/same_mesh.h"
 #include "jobs/checks/result_check.h"
@@ -90,10 +91,6 @@ std::vector<std::optional<double>> spacingsOf(const std::vector<io::Part>& parts
   return spacings;
 }
 
-bool isBefore(const Vec3& p, const Vec3& q) {
-  return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
-}
-
 // Where the vertices of a repaired part come from. Numbers that a frame rounds to one are told
 // apart by it.
 struct Sources {
@@ -101,21 +98,49 @@ struct Sources {
   std::vector<Index> vertices;  // per vertex a given one at the same position; kNone: it is new
 };
 
+// The first vertex at exactly a position, noise around zero included.
+class ExactPositions {
+ public:
+  explicit ExactPositions(const std::vector<Vec3>& positions) : positions_(positions) {}
+
+  Index find(const Vec3& p) {
+    if (order_.empty()) sort();
+    const auto at = std::lower_bound(
+        order_.begin(), order_.end(), p,
+        [&](Index v, const Vec3& wanted) { return isBefore(positions_[v], wanted); });
+    return at != order_.end() && positions_[*at] == p ? *at : kNone;
+  }
+
+ private:
+  static bool isBefore(const Vec3& p, const Vec3& q) {
+    return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
+  }
+
+  void sort() {
+    order_.resize(positions_.size());
+    std::iota(order_.begin(), order_.end(), Index{0});
+    std::stable_sort(order_.begin(), order_.end(),
+                     [&](Index v, Index w) { return isBefore(positions_[v], positions_[w]); });
+  }
+
+  const std::vector<Vec3>& positions_;
+  std::vector<Index> order_;
+};
+
 Sources sourcesOf(const TriangleMesh& made, const TriangleMesh& given) {
   Sources sources;
   sources.isUnchanged = io::isSame(made, given);
   if (sources.isUnchanged) return sources;
-  std::vector<Index> order(given.positions.size());
-  std::iota(order.begin(), order.end(), Index{0});
-  std::stable_sort(order.begin(), order.end(), [&](Index v, Index w) {
-    return isBefore(given.positions[v], given.positions[w]);
-  });
-  for (const Vec3& p : made.positions) {
-    const auto at = std::lower_bound(
-        order.begin(), order.end(), p,
-        [&](Index v, const Vec3& wanted) { return isBefore(given.positions[v], wanted); });
-    const bool isGiven = at != order.end() && given.positions[*at] == p;
-    sources.vertices.push_back(isGiven ? *at : kNone);
+  std::vector<Vec3> both = given.positions;
+  both.insert(both.end(), made.positions.begin(), made.positions.end());
+  const std::vector<Index> first = weld(both);
+  const auto count = Index(given.positions.size());
+  ExactPositions exact(given.positions);
+  for (Index v = count; v < both.size(); ++v) {
+    if (first[v] >= count)
+      sources.vertices.push_back(kNone);
+    else
+      sources.vertices.push_back(both[first[v]] == both[v] ? first[v] : exact.find(both[v]));
   }
   return sources;
 }

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/sort_pairs.h"
 #include "mesh/space_order.h"
 
 namespace remesher {
@@ -89,8 +90,9 @@ std::vector<OrderedFace> facesInOrder(const TriangleMesh& mesh, const std::vecto
     faces.back().group = mesh.groups.empty() ? 0 : mesh.groups[t];
     faces.back().number = Index(t / halves);
   }
-  std::sort(faces.begin(), faces.end(),
-            [](const OrderedFace& a, const OrderedFace& b) { return a.key() < b.key(); });
+  sortInBuckets(
+      faces, numbers.size(), [](const OrderedFace& face) { return face.corners.front(); },
+      [](const OrderedFace& a, const OrderedFace& b) { return a.key() < b.key(); });
   return faces;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/place.h"
+#include "base/sort_pairs.h"
 #include "mesh/canonical_order.h"
 
 namespace remesher {
@@ -36,6 +37,7 @@ class CommonPlaces {
     first_ = weld(positions);
   }
 
+  std::size_t size() const { return first_.size(); }
   Index ofGiven(Index v) const { return first_[v]; }
   Index ofMade(Index v) const { return first_[givenCount_ + v]; }
 
@@ -44,11 +46,13 @@ class CommonPlaces {
   std::vector<Index> first_;
 };
 
-// The numbers from 0 on, by ascending keys.
-std::vector<Index> sortedBy(const std::vector<Index>& keys) {
+// The numbers from 0 on, by ascending keys below `count`; kNone comes last.
+std::vector<Index> sortedBy(const std::vector<Index>& keys, std::size_t count) {
   std::vector<Index> order(keys.size());
   std::iota(order.begin(), order.end(), Index{0});
-  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return keys[a] < keys[b]; });
+  sortInBuckets(
+      order, count + 1, [&](Index i) { return std::min(std::size_t{keys[i]}, count); },
+      [](Index a, Index b) { return a < b; });
   return order;
 }
 
@@ -102,7 +106,7 @@ struct KeyedTriangle {
 };
 
 template <typename PlaceOf>
-std::vector<KeyedTriangle> keyed(const TriangleMesh& mesh, PlaceOf placeOf) {
+std::vector<KeyedTriangle> keyed(const TriangleMesh& mesh, std::size_t places, PlaceOf placeOf) {
   std::vector<KeyedTriangle> triangles;
   triangles.reserve(mesh.triangleCount());
   for (Index t = 0; t < mesh.triangleCount(); ++t) {
@@ -110,15 +114,17 @@ std::vector<KeyedTriangle> keyed(const TriangleMesh& mesh, PlaceOf placeOf) {
     triangles.push_back({{placeOf(v[0]), placeOf(v[1]), placeOf(v[2])}, t});
     std::sort(triangles.back().places.begin(), triangles.back().places.end());
   }
-  std::sort(triangles.begin(), triangles.end());
+  sortInBuckets(
+      triangles, places, [](const KeyedTriangle& t) { return t.places.front(); },
+      [](const KeyedTriangle& a, const KeyedTriangle& b) { return a < b; });
   return triangles;
 }
 
 // Per triangle that was made the given one of the same corners, either way round; kNone for none.
 std::vector<Index> givenTriangles(const TriangleMesh& made, const TriangleMesh& given,
                                   const CommonPlaces& places) {
-  const auto ofGiven = keyed(given, [&](Index v) { return places.ofGiven(v); });
-  const auto ofMade = keyed(made, [&](Index v) { return places.ofMade(v); });
+  const auto ofGiven = keyed(given, places.size(), [&](Index v) { return places.ofGiven(v); });
+  const auto ofMade = keyed(made, places.size(), [&](Index v) { return places.ofMade(v); });
   std::vector<Index> found(made.triangleCount(), kNone);
   auto at = ofGiven.begin();
   for (const KeyedTriangle& triangle : ofMade) {
@@ -137,11 +143,12 @@ class Reordering {
 
   TriangleMesh run() const {
     CanonicalOrder order;
-    order.vertices = sortedBy(givenVertices(made_, given_, places_));
+    order.vertices = sortedBy(givenVertices(made_, given_, places_), given_.positions.size());
     order.numbers.resize(order.vertices.size());
     for (Index v = 0; v < order.vertices.size(); ++v) order.numbers[order.vertices[v]] = v;
     const std::vector<Index> triangles = givenTriangles(made_, given_, places_);
-    order.triangles = made_.isQuads ? quadsInOrder(triangles) : sortedBy(triangles);
+    order.triangles =
+        made_.isQuads ? quadsInOrder(triangles) : sortedBy(triangles, given_.triangleCount());
     for (const Index t : order.triangles) order.turns.push_back(turnOf(t, triangles[t]));
     return inOrder(made_, order);
   }
@@ -153,7 +160,7 @@ class Reordering {
     std::vector<Index> keys, order;
     for (std::size_t t = 0; t + 1 < given.size(); t += 2)
       keys.push_back(std::min(given[t], given[t + 1]));
-    for (const Index quad : sortedBy(keys)) {
+    for (const Index quad : sortedBy(keys, given_.triangleCount())) {
       const Index a = 2 * quad, b = a + 1;
       const bool isGiven = given[a] != kNone && given[b] != kNone && given[a] / 2 == given[b] / 2;
       // The second half comes first where the quad is turned over, cut from the same corner.

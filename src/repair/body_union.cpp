@@ -21,8 +21,9 @@ namespace remesher {
 
 namespace {
 
-// Notes what is lost; returns whether it is too much.
+// Notes what is lost; returns whether it is too much. What is inside is not seen.
 bool isSeenLost(const TriangleMesh& bodies, United& outside) {
+  if (!outside.isOutsideDropped) return false;
   outside.lost = seenShareLost(bodies, outside.mesh, outside.parents);
   return 100 * outside.lost > ladder::kMostLost;
 }

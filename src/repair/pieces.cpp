@@ -36,12 +36,9 @@ class PieceFinder {
   }
 
   Pieces run() {
-    const TriangleTree tree(built_.positions.values(), corners_);
-    findPoints();
     const std::size_t count = result_.pieces.size();
     parents_.assign(count, kNone);
-    for (Index p = 0; p < count; ++p)
-      if (isClosed(p) && !isCrossed_[p]) parents_[p] = innermostAround(p, tree);
+    findParents();
     // Parents first: a parent's volume is larger.
     std::vector<Index> order;
     for (Index p = 0; p < count; ++p)
@@ -85,6 +82,17 @@ class PieceFinder {
         if (built_.mesh.isBoundary(HalfedgeMesh::halfedge(Face(f), k)))
           piece.kind = SurfacePiece::Kind::Open;
     }
+  }
+
+  // Intersecting pieces lie in none, nor does a piece alone.
+  void findParents() {
+    std::vector<Index> apart;
+    for (Index p = 0; p < result_.pieces.size() && result_.pieces.size() > 1; ++p)
+      if (isClosed(p) && !isCrossed_[p]) apart.push_back(p);
+    if (apart.empty()) return;
+    const TriangleTree tree(built_.positions.values(), corners_);
+    findPoints();
+    for (const Index p : apart) parents_[p] = innermostAround(p, tree);
   }
 
   // Of each piece a corner where no other piece is: pieces that touch there hide how they lie in

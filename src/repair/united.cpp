@@ -155,7 +155,12 @@ std::optional<United> arranged(const TriangleMesh& bodies, const Operands& opera
   options.mostWork = kWorkBesides + kWorkPerTriangle * bodies.triangleCount();
   const ArrangementResult found = arrange(welded.input, options);
   if (found.outcome != ArrangementResult::Outcome::Done) return std::nullopt;
-  United result{Assembly(bodies, welded, found).run(), {}, found.selfIntersections, 0, found.cut};
+  United result{Assembly(bodies, welded, found).run(),
+                {},
+                found.selfIntersections,
+                0,
+                found.cut,
+                found.isOutsideDropped};
   for (const ArrangedTriangle& triangle : found.triangles)
     result.parents.push_back(welded.triangles[triangle.parent]);
   return result;

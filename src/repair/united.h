@@ -20,6 +20,7 @@ struct United {
   std::vector<Index> crossings;  // triangles of the mesh that rounding left intersecting others
   double lost = 0;               // see BodyUnion
   std::size_t cut = 0;           // triangles of the bodies that met others
+  bool isOutsideDropped = true;  // whether parts went that have no inside on either side
 };
 
 // Which operand each triangle of the bodies belongs to, and whether a place is inside by the

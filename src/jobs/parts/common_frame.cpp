@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
@@ -77,10 +78,8 @@ std::optional<double> decimalParts(const std::vector<io::Part>& parts) {
 // The exponent of the lowest binary digit of x, which is not 0.
 int lowestDigit(double x) {
   int exponent = 0;
-  auto digits = std::uint64_t(std::abs(std::frexp(x, &exponent)) * 0x1p53);
-  exponent -= 53;
-  for (; digits % 2 == 0; digits /= 2) ++exponent;
-  return exponent;
+  const auto digits = std::uint64_t(std::abs(std::frexp(x, &exponent)) * 0x1p53);
+  return exponent - 53 + std::countr_zero(digits);
 }
 
 // The power of two of which all coordinates are multiples, if they have few digits.

@@ -264,6 +264,19 @@ TEST_CASE("arrangement: a flat body has no inside") {
   CHECK(arranged(inputOf(shapes::turnedOver(shapes::icosphere(2)))).triangles.empty());
 }
 
+TEST_CASE("arrangement: all that goes is hidden, unless it is inside out or cancels") {
+  const TriangleMesh ball = shapes::icosphere(2);
+  const auto beside = [&](double by) {
+    TriangleMesh other = ball;
+    for (Vec3& p : other.positions) p = 0.7 * p + Vec3(by, 0.1, 0.2);
+    return other;
+  };
+  CHECK_FALSE(arranged(inputOf(std::vector{ball, beside(0.9)})).isOutsideDropped);
+  CHECK_FALSE(arranged(inputOf(std::vector{ball, beside(0.1)})).isOutsideDropped);
+  CHECK(arranged(inputOf(std::vector{ball, shapes::turnedOver(beside(0.9))})).isOutsideDropped);
+  CHECK(arranged(inputOf(std::vector{ball, shapes::turnedOver(ball)})).isOutsideDropped);
+}
+
 TEST_CASE("arrangement: a tube that crosses itself becomes its outside") {
   for (const int m : {6, 9, 16}) {
     const TriangleMesh tube = figureOfEight(41, m);
