@@ -36,7 +36,12 @@ class Overlay {
   }
 
   std::optional<std::vector<OverlaidTriangle>> run() {
-    PointPool pool(flattened());
+    const std::vector<Vec3> flat = flattened();
+    if (areAnyEqual(flat)) {
+      fires("contact: points lie on each other");
+      return std::nullopt;
+    }
+    PointPool pool(flat);
     const std::optional<GivenPlane> plane = planeIn(pool);
     if (!plane) return std::nullopt;
     SheetTriangulation cut(pool, *plane);
@@ -96,6 +101,13 @@ class Overlay {
     }
     for (Vec3& p : flat) p /= 2 * most;
     return flat;
+  }
+
+  static bool areAnyEqual(std::vector<Vec3> points) {
+    std::sort(points.begin(), points.end(), [](const Vec3& p, const Vec3& q) {
+      return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
+    });
+    return std::adjacent_find(points.begin(), points.end()) != points.end();
   }
 
   static std::optional<GivenPlane> planeIn(const PointPool& pool) {

@@ -115,6 +115,16 @@ TEST_CASE("contact: bodies apart, or one behind the other, have no common face")
   CHECK(commonArea(complexOfAll(inside)) == 0);
 }
 
+TEST_CASE("contact: faces on both sides of a third, with corners on each other, are left") {
+  const double off = 0.9 * kTouching;
+  const TriangleMesh bodies =
+      shapes::together({shapes::box({0, 0, 0}, {4, 4, 1}), shapes::box({1, 1, 1 + off}, {2, 2, 2}),
+                        shapes::box({2, 2, 1 - off}, {3, 3, 2})});
+  const BodyComplex complex = complexOfAll(bodies);
+  CHECK(complex.left == 1);
+  checkBodies(complex, bodies);
+}
+
 TEST_CASE("contact: open bodies share nothing") {
   TriangleMesh mesh = shapes::twoBoxes();
   mesh.indices.resize(mesh.indices.size() - 3);
