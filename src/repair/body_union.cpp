@@ -51,7 +51,7 @@ std::optional<United> closedUnion(const TriangleMesh& bodies, std::span<const In
 void joinTouching(const TriangleMesh& bodies, United& outside) {
   for (const double steps : {4.0, 32.0}) {
     if (outside.crossings.empty()) return;
-    const std::optional<JoinedFaces> joined = withFacesJoined(bodies, steps);
+    const std::optional<JoinedFaces> joined = withFacesJoined(bodies, steps, SharedFaces::Dropped);
     if (!joined) continue;
     std::optional<United> other = closedUnion(joined->mesh, selfIntersections(joined->mesh));
     if (!other || other->crossings.size() >= outside.crossings.size()) continue;

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "repair/boolean.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
+#include "base/fires.h"
 #include "geometry/triangle_tree.h"
 #include "repair/exact_repair.h"
 #include "repair/stitch.h"
+#include "repair/touching_faces.h"
 
 namespace remesher {
 
@@ -28,6 +31,56 @@ std::vector<Index> nearOther(const TriangleMesh& both, std::size_t trianglesOfA)
   return near;
 }
 
+// The operands that triangles with such parents belong to.
+std::vector<Index> numbersOf(const std::vector<Index>& parents, std::span<const Index> numbers) {
+  std::vector<Index> own;
+  for (const Index parent : parents) own.push_back(numbers[parent]);
+  return own;
+}
+
+// The second operand's triangles, turned over.
+void turnSecond(TriangleMesh& both, std::span<const Index> numbers) {
+  for (std::size_t t = 0; t < numbers.size(); ++t)
+    if (numbers[t] == 1) std::swap(both.indices[3 * t + 1], both.indices[3 * t + 2]);
+}
+
+// Both with common triangles where their faces lie on each other, facing opposite ways or the same
+// way: then the second is turned over, so that they touch. None if there are no such faces.
+std::optional<JoinedFaces> withCommonFaces(const TriangleMesh& both, std::span<const Index> numbers,
+                                           double steps) {
+  std::optional<JoinedFaces> opposite = withFacesJoined(both, steps, SharedFaces::Kept);
+  TriangleMesh turned = opposite ? opposite->mesh : both;
+  std::vector<Index> own = opposite ? numbersOf(opposite->parents, numbers)
+                                    : std::vector<Index>(numbers.begin(), numbers.end());
+  turnSecond(turned, own);
+  std::optional<JoinedFaces> alike = withFacesJoined(turned, steps, SharedFaces::Kept);
+  if (!alike) return opposite;
+  own = numbersOf(alike->parents, own);
+  turnSecond(alike->mesh, own);
+  if (opposite)
+    for (Index& parent : alike->parents) parent = opposite->parents[parent];
+  return alike;
+}
+
+// The result of operands whose faces were brought together, if fewer of its triangles intersect
+// others.
+void joinFaces(const TriangleMesh& both, const Operands& operands, United& result) {
+  for (const double steps : {4.0, 32.0}) {
+    if (result.crossings.empty()) return;
+    const std::optional<JoinedFaces> joined = withCommonFaces(both, operands.numbers, steps);
+    if (!joined) continue;
+    std::optional<United> other = arranged(
+        joined->mesh, {numbersOf(joined->parents, operands.numbers), operands.isInside, {}});
+    if (!other || other->crossings.size() >= result.crossings.size() ||
+        countUnbalancedEdges(other->mesh) > 0)
+      continue;
+    fires("boolean: touching faces joined");
+    for (Index& parent : other->parents) parent = joined->parents[parent];
+    other->cut = std::max(other->cut, result.cut);
+    result = std::move(*other);
+  }
+}
+
 }  // namespace
 
 std::optional<United> booleanOf(const TriangleMesh& both, std::size_t trianglesOfA,
@@ -47,8 +100,10 @@ std::optional<United> booleanOf(const TriangleMesh& both, std::size_t trianglesO
                     {}};
   for (std::size_t t = 0; t < trianglesOfA; ++t) operands.numbers[t] = 0;
   if (each == Each::Sound) operands.meeting = nearOther(both, trianglesOfA);
-  std::optional<United> result = arranged(atOnePosition(both), operands);
+  const TriangleMesh mesh = atOnePosition(both);
+  std::optional<United> result = arranged(mesh, operands);
   if (result && countUnbalancedEdges(result->mesh) > 0) return std::nullopt;
+  if (result) joinFaces(mesh, operands, *result);
   return result;
 }
 

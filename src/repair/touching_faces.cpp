@@ -2,55 +2,101 @@
 #include "repair/touching_faces.h"
 
 #include <algorithm>
-#include <numeric>
+#include <array>
+#include <cmath>
+#include <map>
 #include <utility>
 
-#include "base/fires.h"
 #include "base/place.h"
 #include "contact/common_faces.h"
 #include "geometry/triangle.h"
 #include "geometry/triangle_tree.h"
+#include "mesh/attribute_mix.h"
 #include "mesh/coordinate_step.h"
+#include "repair/loose_pieces.h"
 
 namespace remesher {
 
 namespace {
 
 constexpr double kMoved = 4;  // a triangle's middle from where it was, at most: ratio to the gap
+// Of triangles of one flat face: cosine, and distance from the plane, ratio to their size.
+constexpr double kAlike = 0.98, kOffPlane = 1e-3;
+constexpr double kSameValue = 1e-4;  // of attributes; relative beyond 1
+
+// A triangle's weights at a point of its plane, which may lie outside of it.
+Vec3 weightsAt(const Vec3& p, const Triangle& t) {
+  const Vec3 normal = areaVector(t[0], t[1], t[2]);
+  const double whole = normal.squaredNorm();
+  const double a = areaVector(p, t[1], t[2]).dot(normal) / whole,
+               b = areaVector(p, t[2], t[0]).dot(normal) / whole;
+  return {a, b, 1 - a - b};
+}
 
 class Joining {
  public:
-  Joining(const TriangleMesh& bodies, double gap)
-      : bodies_(bodies), gap_(gap), tree_(bodies.positions, bodies.indices) {
+  Joining(const TriangleMesh& bodies, double gap, SharedFaces shared)
+      : bodies_(bodies),
+        gap_(gap),
+        shared_(shared),
+        labels_(labelsOf(bodies)),
+        tree_(bodies.positions, bodies.indices),
+        mix_(bodies) {
     result_.mesh = bodies;
     result_.mesh.indices.clear(), result_.mesh.groups.clear();
     result_.mesh.isQuads = false;
   }
 
   std::optional<JoinedFaces> run() {
+    TriangleMesh labelled;
+    labelled.positions = bodies_.positions, labelled.indices = bodies_.indices;
+    labelled.groups = labels_;
     const std::vector<Index> pieces(bodies_.triangleCount(), 0);
-    const BodyComplex complex = complexOf(bodies_, pieces, {gap_, gap_});
+    const BodyComplex complex = complexOf(labelled, pieces, {gap_, gap_});
     if (complex.touching.pairs.empty()) return std::nullopt;
     const std::vector<Vec3> places = placesOf(complex);
-    std::vector<Triangle> triangles;
-    std::vector<Index> parents;
+    std::vector<Joined> triangles;
     for (const ComplexTriangle& t : complex.triangles) {
-      if (t.other.body != kNone) continue;
-      triangles.push_back({places[t.corners[0]], places[t.corners[1]], places[t.corners[2]]});
-      parents.push_back(parentOf(triangles.back()));
-      if (parents.back() == kNone) return std::nullopt;
+      const bool isShared = t.other.body != kNone;
+      if (isShared && shared_ == SharedFaces::Dropped) continue;
+      const Triangle at = {places[t.corners[0]], places[t.corners[1]], places[t.corners[2]]};
+      triangles.push_back({at, t.own.group, t.face != kNone});
+      if (isShared) triangles.push_back({{at[0], at[2], at[1]}, t.other.group, true});
     }
-    std::vector<Index> order(triangles.size());
-    std::iota(order.begin(), order.end(), Index{0});
-    std::stable_sort(order.begin(), order.end(),
-                     [&](Index a, Index b) { return parents[a] < parents[b]; });
-    for (const Index t : order) add(triangles[t], parents[t]);
+    for (Joined& t : triangles) {
+      t.parent = parentOf(t);
+      if (t.parent == kNone) return std::nullopt;
+    }
+    std::stable_sort(triangles.begin(), triangles.end(),
+                     [](const Joined& a, const Joined& b) { return a.parent < b.parent; });
+    for (const Joined& t : triangles)
+      if (!add(t)) return std::nullopt;
     return std::move(result_);
   }
 
  private:
+  struct Joined {
+    Triangle at;
+    Index label;
+    bool isNew;  // of a face that was triangulated anew; else it lies in its parent
+    Index parent = kNone;
+  };
+
   static bool isBefore(const Vec3& p, const Vec3& q) {
     return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
+  }
+
+  // Per triangle a number for its loose piece and its group.
+  static std::vector<Index> labelsOf(const TriangleMesh& bodies) {
+    const LoosePieces pieces(bodies.positions, bodies.indices);
+    std::map<std::pair<Index, Index>, Index> numbers;
+    std::vector<Index> labels;
+    for (Index t = 0; t < bodies.triangleCount(); ++t) {
+      const Index group = bodies.groups.empty() ? 0 : bodies.groups[t];
+      const std::pair key{pieces.ofTriangles()[t], group};
+      labels.push_back(numbers.emplace(key, Index(numbers.size())).first->second);
+    }
+    return labels;
   }
 
   // The complex's points; new ones are rounded, those of the bodies are not.
@@ -66,50 +112,138 @@ class Joining {
     return places;
   }
 
-  // The nearest triangle of those that face the same way.
-  Index parentOf(const Triangle& at) const {
-    const Vec3 middle = (at[0] + at[1] + at[2]) / 3, normal = areaVector(at[0], at[1], at[2]);
+  // The nearest triangle of those of its piece and group that face the same way.
+  Index parentOf(const Joined& t) const {
+    const auto& [p, q, r] = t.at;
+    const Vec3 middle = (p + q + r) / 3, normal = areaVector(p, q, r);
     Box box;
     box.extend(middle.array() - kMoved * gap_);
     box.extend(middle.array() + kMoved * gap_);
     std::pair<double, Index> best{kInfinity, kNone};
-    tree_.visitOverlapping(box, [&](Index t) {
-      const auto [a, b, c] = tree_.corners(t);
-      if (areaVector(a, b, c).dot(normal) <= 0) return;
-      best = std::min(best, {(closestPoint(middle, a, b, c) - middle).squaredNorm(), t});
+    tree_.visitOverlapping(box, [&](Index s) {
+      const auto [a, b, c] = tree_.corners(s);
+      if (labels_[s] != t.label || areaVector(a, b, c).dot(normal) <= 0) return;
+      best = std::min(best, {(closestPoint(middle, a, b, c) - middle).squaredNorm(), s});
     });
     return best.second;
   }
 
-  void add(const Triangle& at, Index parent) {
-    const Index* v = &bodies_.indices[3 * std::size_t{parent}];
-    for (const Vec3& p : at) {
-      const auto own = std::find_if(v, v + 3, [&](Index i) { return bodies_.positions[i] == p; });
-      if (own != v + 3) {
-        result_.mesh.indices.push_back(*own);
-        continue;
-      }
-      result_.mesh.indices.push_back(Index(result_.mesh.positions.size()));
-      result_.mesh.positions.push_back(p);
+  // Those of its flat face that it may lie on; the largest first.
+  std::vector<Index> sourcesOf(const Joined& t) const {
+    if (bodies_.attributes.empty() || !t.isNew) return {t.parent};
+    Box box;
+    for (const Vec3& p : t.at) {
+      box.extend(p.array() - kMoved * gap_);
+      box.extend(p.array() + kMoved * gap_);
     }
-    if (!bodies_.groups.empty()) result_.mesh.groups.push_back(bodies_.groups[parent]);
-    result_.parents.push_back(parent);
+    const Triangle own = tree_.corners(t.parent);
+    const Vec3 normal = unitNormal(own[0], own[1], own[2]);
+    std::vector<std::pair<double, Index>> found;
+    tree_.visitOverlapping(box, [&](Index s) {
+      const Triangle c = tree_.corners(s);
+      const Vec3 vector = areaVector(c[0], c[1], c[2]);
+      bool isOn = labels_[s] == t.label && vector.dot(normal) > kAlike * vector.norm();
+      for (std::size_t k = 0; k < 3; ++k)
+        isOn = isOn && std::abs(normal.dot(c[k] - own[0])) <=
+                           std::max(kMoved * gap_, kOffPlane * (c[k] - own[0]).norm());
+      if (isOn) found.emplace_back(-vector.norm(), s);
+    });
+    std::sort(found.begin(), found.end());
+    std::vector<Index> sources;
+    for (const auto& [size, s] : found) sources.push_back(s);
+    return sources;
+  }
+
+  const Index* verticesOf(Index t) const { return &bodies_.indices[3 * std::size_t{t}]; }
+
+  // Appends the attributes that a triangle has at a point of its plane.
+  void append(Index source, const Vec3& p, std::vector<Attribute>& values) const {
+    const Index* v = verticesOf(source);
+    const Triangle c = tree_.corners(source);
+    mix_.append({{v[0], v[1], v[2]}, weightsAt(p, c), areaVector(c[0], c[1], c[2])}, values);
+  }
+
+  static bool areSame(const std::vector<Attribute>& a, std::size_t i,
+                      const std::vector<Attribute>& b, std::size_t k) {
+    for (std::size_t n = 0; n < a.size(); ++n) {
+      const auto size = std::size_t(a[n].itemSize);
+      for (std::size_t j = 0; j < size; ++j) {
+        const float x = a[n].values[i * size + j], y = b[n].values[k * size + j];
+        if (!(std::abs(x - y) <= kSameValue * std::max(1.0F, std::abs(x)))) return false;
+      }
+    }
+    return true;
+  }
+
+  // Whether attributes are linear all over them, as the first one's are.
+  bool areLinear(const std::vector<Index>& sources) const {
+    std::vector<Attribute> values = withoutValues(bodies_.attributes);
+    std::size_t made = 0;
+    for (std::size_t i = 1; i < sources.size(); ++i)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Index v = verticesOf(sources[i])[k];
+        append(sources.front(), bodies_.positions[v], values);
+        if (!areSame(values, made++, bodies_.attributes, v)) return false;
+      }
+    return true;
+  }
+
+  static std::vector<Attribute> withoutValues(std::vector<Attribute> attributes) {
+    for (Attribute& attribute : attributes) attribute.values.clear();
+    return attributes;
+  }
+
+  // Returns whether the bodies' attributes say what it has.
+  bool add(const Joined& t) {
+    const std::vector<Index> sources = sourcesOf(t);
+    if (sources.empty() || !areLinear(sources)) return false;
+    for (const Vec3& p : t.at) result_.mesh.indices.push_back(vertexAt(p, t.parent, sources));
+    if (!bodies_.groups.empty()) result_.mesh.groups.push_back(bodies_.groups[t.parent]);
+    result_.parents.push_back(t.parent);
+    return true;
+  }
+
+  Index vertexAt(const Vec3& p, Index parent, const std::vector<Index>& sources) {
+    TriangleMesh& mesh = result_.mesh;
+    const auto ownOf = [&](Index triangle) {
+      const Index* v = verticesOf(triangle);
+      const Index* own = std::find_if(v, v + 3, [&](Index i) { return bodies_.positions[i] == p; });
+      return own != v + 3 ? *own : kNone;
+    };
+    if (const Index own = ownOf(parent); own != kNone) return own;
+    for (const Index source : sources)
+      if (const Index own = ownOf(source); own != kNone) return own;
+    const auto made = Index(mesh.positions.size());
+    mesh.positions.push_back(p);
+    if (mesh.attributes.empty()) return made;
+    append(sources.front(), p, mesh.attributes);
+    std::vector<Index>& others = made_[{p.x(), p.y(), p.z()}];
+    for (const Index other : others)
+      if (areSame(mesh.attributes, other, mesh.attributes, made)) {
+        dropLastVertex(mesh);
+        return other;
+      }
+    others.push_back(made);
+    return made;
   }
 
   const TriangleMesh& bodies_;
   const double gap_;
+  const SharedFaces shared_;
+  const std::vector<Index> labels_;
   const TriangleTree tree_;
+  const AttributeMix mix_;
+  std::map<std::array<double, 3>, std::vector<Index>> made_;  // new vertices with attributes
   JoinedFaces result_;
 };
 
 }  // namespace
 
-std::optional<JoinedFaces> withFacesJoined(const TriangleMesh& bodies, double steps) {
-  // Flat faces get other triangles, in which attributes would no longer be linear.
-  if (!bodies.attributes.empty()) return std::nullopt;
+std::optional<JoinedFaces> withFacesJoined(const TriangleMesh& bodies, double steps,
+                                           SharedFaces shared) {
   std::vector<Vec3> used;
   for (const Index v : bodies.indices) used.push_back(bodies.positions[v]);
-  return Joining(bodies, steps * coordinateStep(used)).run();
+  return Joining(bodies, steps * coordinateStep(used), shared).run();
 }
 
 }  // namespace remesher

@@ -16,9 +16,14 @@ struct JoinedFaces {
   std::vector<Index> parents;  // per triangle of the mesh that of the bodies in whose plane it is
 };
 
-// The bodies with common corners and edges where faces touch, without the faces that two of them
-// share. steps: of the coordinates, which touching faces are apart at most. None if no faces touch,
-// or with attributes.
-std::optional<JoinedFaces> withFacesJoined(const TriangleMesh& bodies, double steps);
+// What becomes of faces that two bodies share: none is left, or each body has its own, of the same
+// triangles.
+enum class SharedFaces { Dropped, Kept };
+
+// The bodies with common corners and edges where faces touch. steps: of the coordinates, which
+// touching faces are apart at most. None if no faces touch, or if attributes are not linear on
+// those.
+std::optional<JoinedFaces> withFacesJoined(const TriangleMesh& bodies, double steps,
+                                           SharedFaces shared);
 
 }  // namespace remesher

@@ -3,6 +3,9 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "measure/mesh_report.h"
 #include "measure/self_intersections.h"
 #include "repair/body_union.h"
@@ -30,6 +33,26 @@ TriangleMesh turnedStack(double angle) {
   return stack;
 }
 
+// Linear in the place.
+Vec2 texcoordAt(const Vec3& p) { return {0.3 * p.x() - 0.1 * p.z(), 0.2 * p.y() + 0.25 * p.z()}; }
+
+TriangleMesh withTexcoords(TriangleMesh mesh) {
+  mesh.attributes.push_back({"TEXCOORD_0", 2, {}});
+  for (const Vec3& p : mesh.positions)
+    for (const double x : texcoordAt(p)) mesh.attributes.back().values.push_back(float(x));
+  return mesh;
+}
+
+// The largest difference from that.
+double texcoordError(const TriangleMesh& mesh) {
+  double worst = 0;
+  for (const Index v : mesh.indices)
+    for (std::size_t k = 0; k < 2; ++k)
+      worst = std::max(worst, std::abs(texcoordAt(mesh.positions[v])[Eigen::Index(k)] -
+                                       mesh.attributes[0].values[2 * v + k]));
+  return worst;
+}
+
 }  // namespace
 
 TEST_CASE("touching faces: turned bodies on each other are united without self-intersections") {
@@ -48,12 +71,36 @@ TEST_CASE("touching faces: turned bodies on each other are united without self-i
 
 TEST_CASE("touching faces: joined faces have common corners, where any touch") {
   const TriangleMesh stack = turnedStack(0.9);
-  const auto joined = withFacesJoined(stack, 4);
+  const auto joined = withFacesJoined(stack, 4, SharedFaces::Dropped);
   REQUIRE(joined);
   CHECK(joined->parents.size() == joined->mesh.triangleCount());
   CHECK(selfIntersections(joined->mesh).empty());
   CHECK(inspectMesh(joined->mesh).boundaryEdges == 0);
   const TriangleMesh apart =
       soups::joined({shapes::cube(1), soups::moved(shapes::cube(1), {2, 0, 0})});
-  CHECK_FALSE(withFacesJoined(apart, 4));
+  CHECK_FALSE(withFacesJoined(apart, 4, SharedFaces::Dropped));
+}
+
+TEST_CASE("touching faces: linear attributes stay so, and others are left alone") {
+  for (const double angle : {0.2, 0.3, 1.2, 1.8}) {
+    CAPTURE(angle);
+    const TriangleMesh stack = withTexcoords(turnedStack(angle));
+    const auto outside = unionOf(stack, selfIntersections(stack));
+    REQUIRE(outside);
+    CHECK(selfIntersections(outside->mesh).empty());
+    CHECK(shapes::volumeOf(outside->mesh) == doctest::Approx(kVolume).epsilon(1e-5));
+    CHECK(texcoordError(outside->mesh) < 1e-5);
+  }
+  TriangleMesh bent = withTexcoords(turnedStack(0.9));
+  CHECK(withFacesJoined(bent, 4, SharedFaces::Dropped));
+  for (float& u : bent.attributes[0].values) u *= u;
+  CHECK_FALSE(withFacesJoined(bent, 4, SharedFaces::Dropped));
+}
+
+TEST_CASE("touching faces: each body may keep its own of those that are shared") {
+  const TriangleMesh stack = turnedStack(0.9);
+  const auto joined = withFacesJoined(stack, 4, SharedFaces::Kept);
+  REQUIRE(joined);
+  CHECK(shapes::volumeOf(joined->mesh) == doctest::Approx(shapes::volumeOf(stack)).epsilon(1e-6));
+  CHECK(inspectMesh(joined->mesh).nonManifoldEdges > 0);
 }
