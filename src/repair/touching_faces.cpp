@@ -5,15 +5,16 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "base/place.h"
+#include "contact/body_soup.h"
 #include "contact/common_faces.h"
 #include "geometry/triangle.h"
 #include "geometry/triangle_tree.h"
 #include "mesh/attribute_mix.h"
 #include "mesh/coordinate_step.h"
-#include "repair/loose_pieces.h"
 
 namespace remesher {
 
@@ -39,7 +40,7 @@ class Joining {
       : bodies_(bodies),
         gap_(gap),
         shared_(shared),
-        labels_(labelsOf(bodies)),
+        sides_(sidesOf(bodies)),
         tree_(bodies.positions, bodies.indices),
         mix_(bodies) {
     result_.mesh = bodies;
@@ -48,11 +49,8 @@ class Joining {
   }
 
   std::optional<JoinedFaces> run() {
-    TriangleMesh labelled;
-    labelled.positions = bodies_.positions, labelled.indices = bodies_.indices;
-    labelled.groups = labels_;
     const std::vector<Index> pieces(bodies_.triangleCount(), 0);
-    const BodyComplex complex = complexOf(labelled, pieces, {gap_, gap_});
+    const BodyComplex complex = complexOf(bodies_, pieces, {gap_, gap_});
     if (complex.touching.pairs.empty()) return std::nullopt;
     const std::vector<Vec3> places = placesOf(complex);
     std::vector<Joined> triangles;
@@ -60,8 +58,8 @@ class Joining {
       const bool isShared = t.other.body != kNone;
       if (isShared && shared_ == SharedFaces::Dropped) continue;
       const Triangle at = {places[t.corners[0]], places[t.corners[1]], places[t.corners[2]]};
-      triangles.push_back({at, t.own.group, t.face != kNone});
-      if (isShared) triangles.push_back({{at[0], at[2], at[1]}, t.other.group, true});
+      triangles.push_back({at, t.own, t.face != kNone});
+      if (isShared) triangles.push_back({{at[0], at[2], at[1]}, t.other, true});
     }
     for (Joined& t : triangles) {
       t.parent = parentOf(t);
@@ -77,7 +75,7 @@ class Joining {
  private:
   struct Joined {
     Triangle at;
-    Index label;
+    BodySide side;
     bool isNew;  // of a face that was triangulated anew; else it lies in its parent
     Index parent = kNone;
   };
@@ -86,17 +84,17 @@ class Joining {
     return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
   }
 
-  // Per triangle a number for its loose piece and its group.
-  static std::vector<Index> labelsOf(const TriangleMesh& bodies) {
-    const LoosePieces pieces(bodies.positions, bodies.indices);
-    std::map<std::pair<Index, Index>, Index> numbers;
-    std::vector<Index> labels;
-    for (Index t = 0; t < bodies.triangleCount(); ++t) {
-      const Index group = bodies.groups.empty() ? 0 : bodies.groups[t];
-      const std::pair key{pieces.ofTriangles()[t], group};
-      labels.push_back(numbers.emplace(key, Index(numbers.size())).first->second);
-    }
-    return labels;
+  // Per triangle its body and group; no body for one with two corners at one place.
+  static std::vector<BodySide> sidesOf(const TriangleMesh& bodies) {
+    TriangleMesh numbered;
+    numbered.positions = bodies.positions, numbered.indices = bodies.indices;
+    numbered.groups.resize(bodies.triangleCount());
+    std::iota(numbered.groups.begin(), numbered.groups.end(), Index{0});
+    std::vector<BodySide> sides(bodies.triangleCount());
+    const std::vector<Index> pieces(sides.size(), 0);
+    for (const BodyTriangle& t : bodiesOf(numbered, pieces).triangles)
+      sides[t.group] = {t.body, bodies.groups.empty() ? 0 : bodies.groups[t.group]};
+    return sides;
   }
 
   // The complex's points; new ones are rounded, those of the bodies are not.
@@ -112,7 +110,7 @@ class Joining {
     return places;
   }
 
-  // The nearest triangle of those of its piece and group that face the same way.
+  // The nearest triangle of those of its body and group that face the same way.
   Index parentOf(const Joined& t) const {
     const auto& [p, q, r] = t.at;
     const Vec3 middle = (p + q + r) / 3, normal = areaVector(p, q, r);
@@ -122,7 +120,7 @@ class Joining {
     std::pair<double, Index> best{kInfinity, kNone};
     tree_.visitOverlapping(box, [&](Index s) {
       const auto [a, b, c] = tree_.corners(s);
-      if (labels_[s] != t.label || areaVector(a, b, c).dot(normal) <= 0) return;
+      if (sides_[s] != t.side || areaVector(a, b, c).dot(normal) <= 0) return;
       best = std::min(best, {(closestPoint(middle, a, b, c) - middle).squaredNorm(), s});
     });
     return best.second;
@@ -142,7 +140,7 @@ class Joining {
     tree_.visitOverlapping(box, [&](Index s) {
       const Triangle c = tree_.corners(s);
       const Vec3 vector = areaVector(c[0], c[1], c[2]);
-      bool isOn = labels_[s] == t.label && vector.dot(normal) > kAlike * vector.norm();
+      bool isOn = sides_[s] == t.side && vector.dot(normal) > kAlike * vector.norm();
       for (std::size_t k = 0; k < 3; ++k)
         isOn = isOn && std::abs(normal.dot(c[k] - own[0])) <=
                            std::max(kMoved * gap_, kOffPlane * (c[k] - own[0]).norm());
@@ -230,7 +228,7 @@ class Joining {
   const TriangleMesh& bodies_;
   const double gap_;
   const SharedFaces shared_;
-  const std::vector<Index> labels_;
+  const std::vector<BodySide> sides_;
   const TriangleTree tree_;
   const AttributeMix mix_;
   std::map<std::array<double, 3>, std::vector<Index>> made_;  // new vertices with attributes
