@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "base/disjoint_sets.h"
@@ -28,6 +29,8 @@ class BorderMeeting {
 
   DividedEdges run() {
     joinPoints();
+    for (const std::vector<Index>& cluster : flat_.clusters)
+      for (const Index p : pointsOf(cluster)) byX_.emplace(at(p).x(), p);
     for (const std::vector<Index>& cluster : flat_.clusters) {
       const std::vector<BorderEdge> edges = edgesOf(cluster);
       divideAtPoints(edges, pointsOf(cluster));
@@ -101,8 +104,24 @@ class BorderMeeting {
                        [](const Near& a, const Near& b) { return a.distance < b.distance; });
       for (const Near& near : pairs) join(near.p, near.q);
     }
+    joinEqual(join);
     for (BodyTriangle& t : soup_.triangles)
       for (Index& corner : t.corners) corner = sets.find(corner);
+  }
+
+  // Points at one place: edges of one set of faces are divided at points of others, too.
+  template <class Join>
+  void joinEqual(Join join) const {
+    std::vector<Index> points;
+    for (const std::vector<Index>& cluster : flat_.clusters)
+      for (const Index p : pointsOf(cluster)) points.push_back(p);
+    std::sort(points.begin(), points.end(), [this](Index p, Index q) {
+      const bool isBefore =
+          std::lexicographical_compare(at(p).begin(), at(p).end(), at(q).begin(), at(q).end());
+      return isBefore || (at(p) == at(q) && p < q);
+    });
+    for (std::size_t i = 1; i < points.size(); ++i)
+      if (at(points[i - 1]) == at(points[i])) join(points[i - 1], points[i]);
   }
 
   // The nearest place of the edge, as a share of the way from a to b.
@@ -148,19 +167,25 @@ class BorderMeeting {
     divided_.add(f.a, f.b, shareAt(f, place), point);
   }
 
-  // One that divides either edge there already, or a new one.
+  // One that divides either edge there already, or lies there, or a new one.
   Index pointAt(const BorderEdge& e, const BorderEdge& f, const Vec3& place) {
     for (const BorderEdge& edge : {e, f})
       for (const Index p : divided_.between(edge.a, edge.b))
         if ((at(p) - place).norm() <= tolerance_) return p;
+    for (auto p = byX_.lower_bound(place.x() - tolerance_);
+         p != byX_.end() && p->first <= place.x() + tolerance_; ++p)
+      if ((at(p->second) - place).norm() <= tolerance_) return p->second;
+    const auto made = Index(soup_.points.size());
     soup_.points.push_back(place);
-    return Index(soup_.points.size() - 1);
+    byX_.emplace(place.x(), made);
+    return made;
   }
 
   BodySoup& soup_;
   const FlatFaces& flat_;
   const double tolerance_;
-  std::vector<Index> bodyOf_;  // per point given
+  std::vector<Index> bodyOf_;         // per point given
+  std::multimap<double, Index> byX_;  // the points on borders
   DividedEdges divided_;
 };
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "geometry/triangle.h"
+#include "support/soups.h"
 #include "support/touching_bodies.h"
 #include "support/volume_of.h"
 
@@ -123,6 +124,24 @@ TEST_CASE("contact: faces on both sides of a third, with corners on each other, 
   const BodyComplex complex = complexOfAll(bodies);
   CHECK(complex.left == 1);
   checkBodies(complex, bodies);
+}
+
+// Edges are divided where faces on either of their sides touch others.
+TEST_CASE("contact: what meets at one place is one point, whichever faces it is of") {
+  soups::Random random(5);
+  for (int i = 0; i < 60; ++i) {
+    CAPTURE(i);
+    std::vector<TriangleMesh> boxes;
+    for (int k = 0; k < 5; ++k) {
+      const Vec3 low = (3 * random.point()).array().floor(),
+                 size = 1 + (2 * random.point()).array().floor();
+      boxes.push_back(shapes::box(low, low + size));
+    }
+    const TriangleMesh all = shapes::together(boxes);
+    const BodyComplex complex = complexOfAll(all);
+    CHECK(complex.left == 0);
+    checkBodies(complex, all);
+  }
 }
 
 TEST_CASE("contact: open bodies share nothing") {
