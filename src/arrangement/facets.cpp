@@ -2,7 +2,6 @@
 #include "arrangement/facets.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include "arrangement/sheet_triangulation.h"
@@ -117,11 +116,9 @@ class SheetCut {
 };
 
 Facets inOrderOfParents(const Facets& facets, std::size_t triangles) {
-  std::vector<Index> order(facets.size());
-  std::iota(order.begin(), order.end(), Index{0});
-  sortInBuckets(
-      order, triangles, [&](Index f) { return facets.parent(f); },
-      [](Index a, Index b) { return a < b; });
+  std::vector<Index> firsts;
+  for (Index f = 0; f < facets.size(); ++f) firsts.push_back(facets.parent(f));
+  const std::vector<Index> order = orderByKeys(firsts, triangles);
   Facets result;
   result.corners.reserve(facets.corners.size());
   result.parents.reserve(facets.parents.size());

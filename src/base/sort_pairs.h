@@ -24,6 +24,15 @@ inline void sortPairs(std::span<std::pair<Index, Index>> pairs) {
   }
 }
 
+// The numbers from 0 on by ascending keys, which are below `count`; stable.
+inline std::vector<Index> orderByKeys(std::span<const Index> keys, std::size_t count) {
+  std::vector<Index> starts(count + 1, 0), order(keys.size());
+  for (const Index key : keys) ++starts[std::size_t{key} + 1];
+  for (std::size_t key = 0; key < count; ++key) starts[key + 1] += starts[key];
+  for (Index i = 0; i < order.size(); ++i) order[starts[keys[i]]++] = i;
+  return order;
+}
+
 // A counting sort by the first key, then short sorts of what shares it. keyOf: below `keys`;
 // isBefore: ascends by it first, and tells any two items apart.
 template <class Item, class KeyOf, class IsBefore>

@@ -36,16 +36,14 @@ class Overlay {
   }
 
   std::optional<std::vector<OverlaidTriangle>> run() {
-    const std::vector<Vec3> flat = flattened();
-    if (areAnyEqual(flat)) {
-      fires("contact: points lie on each other");
-      return std::nullopt;
-    }
-    PointPool pool(flat);
+    PointPool pool(flattened());
     const std::optional<GivenPlane> plane = planeIn(pool);
     if (!plane) return std::nullopt;
     SheetTriangulation cut(pool, *plane);
-    insertAll(pool, cut);
+    if (!insertAll(pool, cut)) {
+      fires("contact: points lie on each other");
+      return std::nullopt;
+    }
     if (pool.size() > points_.size() + kFarPoints) {
       fires("contact: borders cross beyond the tolerance");
       return std::nullopt;
@@ -103,25 +101,20 @@ class Overlay {
     return flat;
   }
 
-  static bool areAnyEqual(std::vector<Vec3> points) {
-    std::sort(points.begin(), points.end(), [](const Vec3& p, const Vec3& q) {
-      return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
-    });
-    return std::adjacent_find(points.begin(), points.end()) != points.end();
-  }
-
   static std::optional<GivenPlane> planeIn(const PointPool& pool) {
     for (Index c = 2; c < pool.givenCount(); ++c)
       if (pool.turn(0, 1, c, FlatView{}) != 0) return GivenPlane{0, 1, c};
     return std::nullopt;
   }
 
-  // In the order of positions, so that the numbers of points do not matter.
-  void insertAll(const PointPool& pool, SheetTriangulation& cut) const {
+  // In the order of positions, so that the numbers of points do not matter. False if two are equal.
+  bool insertAll(const PointPool& pool, SheetTriangulation& cut) const {
     std::vector<Index> order(points_.size());
     for (Index i = 0; i < order.size(); ++i) order[i] = i;
     const auto isBefore = [&](Index p, Index q) { return pool.isBefore(p, q); };
     std::sort(order.begin(), order.end(), isBefore);
+    for (std::size_t i = 1; i < order.size(); ++i)
+      if (pool.position(order[i - 1]) == pool.position(order[i])) return false;
     for (const Index p : order) cut.insert(p);
     std::vector<Way> segments;
     for (const std::vector<Way>& ways : ways_)
@@ -135,6 +128,7 @@ class Overlay {
     segments.erase(std::unique(segments.begin(), segments.end()), segments.end());
     for (const auto& [a, b] : segments)
       cut.force({a, b, {{std::min(a, b), std::max(a, b), kNone}}});
+    return true;
   }
 
   // None if a border is no edge of the triangulation, or encloses nothing.

@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
+#include <utility>
 
 #include "base/disjoint_sets.h"
+#include "base/place.h"
 #include "mesh/edge_groups.h"
 
 namespace remesher {
@@ -30,7 +31,8 @@ class BorderMeeting {
   DividedEdges run() {
     joinPoints();
     for (const std::vector<Index>& cluster : flat_.clusters)
-      for (const Index p : pointsOf(cluster)) byX_.emplace(at(p).x(), p);
+      for (const Index p : pointsOf(cluster)) byX_.emplace_back(at(p).x(), p);
+    std::sort(byX_.begin(), byX_.end());
     for (const std::vector<Index>& cluster : flat_.clusters) {
       const std::vector<BorderEdge> edges = edgesOf(cluster);
       divideAtPoints(edges, pointsOf(cluster));
@@ -112,16 +114,14 @@ class BorderMeeting {
   // Points at one place: edges of one set of faces are divided at points of others, too.
   template <class Join>
   void joinEqual(Join join) const {
-    std::vector<Index> points;
+    const std::vector<Index> first = weld(soup_.points);
+    std::vector<Index> known(first.size(), kNone);
     for (const std::vector<Index>& cluster : flat_.clusters)
-      for (const Index p : pointsOf(cluster)) points.push_back(p);
-    std::sort(points.begin(), points.end(), [this](Index p, Index q) {
-      const bool isBefore =
-          std::lexicographical_compare(at(p).begin(), at(p).end(), at(q).begin(), at(q).end());
-      return isBefore || (at(p) == at(q) && p < q);
-    });
-    for (std::size_t i = 1; i < points.size(); ++i)
-      if (at(points[i - 1]) == at(points[i])) join(points[i - 1], points[i]);
+      for (const Index p : pointsOf(cluster)) {
+        Index& at = known[first[p]];
+        if (at == kNone) at = p;
+        join(at, p);
+      }
   }
 
   // The nearest place of the edge, as a share of the way from a to b.
@@ -172,20 +172,21 @@ class BorderMeeting {
     for (const BorderEdge& edge : {e, f})
       for (const Index p : divided_.between(edge.a, edge.b))
         if ((at(p) - place).norm() <= tolerance_) return p;
-    for (auto p = byX_.lower_bound(place.x() - tolerance_);
-         p != byX_.end() && p->first <= place.x() + tolerance_; ++p)
+    const auto from =
+        std::lower_bound(byX_.begin(), byX_.end(), std::pair(place.x() - tolerance_, Index{0}));
+    for (auto p = from; p != byX_.end() && p->first <= place.x() + tolerance_; ++p)
       if ((at(p->second) - place).norm() <= tolerance_) return p->second;
-    const auto made = Index(soup_.points.size());
+    const std::pair made(place.x(), Index(soup_.points.size()));
     soup_.points.push_back(place);
-    byX_.emplace(place.x(), made);
-    return made;
+    byX_.insert(std::lower_bound(from, byX_.end(), made), made);
+    return made.second;
   }
 
   BodySoup& soup_;
   const FlatFaces& flat_;
   const double tolerance_;
-  std::vector<Index> bodyOf_;         // per point given
-  std::multimap<double, Index> byX_;  // the points on borders
+  std::vector<Index> bodyOf_;                  // per point given
+  std::vector<std::pair<double, Index>> byX_;  // the points on borders, ascending
   DividedEdges divided_;
 };
 

@@ -90,12 +90,11 @@ void recountMeeting(Report& report, const std::vector<io::Part>& result) {
 
 // Angles are no concern of a repair.
 std::vector<Warning> damageIn(const Report& report, const std::vector<io::Part>& result) {
-  MeshReport after = *report.output;
-  after.minAngle = report.input.minAngle;
-  const BeforeAndAfter figures{report.input, after};
+  const BeforeAndAfter figures{report.input, *report.output};
   std::vector<Warning> warnings =
       joined(worseThanGiven(figures, result), lostToRounding(report, result));
   if (report.repair) warnings = joined(std::move(warnings), edgesLeft(figures, result));
+  std::erase_if(warnings, [](const Warning& warning) { return warning.code == "ANGLES_WORSE"; });
   return warnings;
 }
 

@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <vector>
 
 #include "base/place.h"
@@ -47,13 +46,9 @@ class CommonPlaces {
 };
 
 // The numbers from 0 on, by ascending keys below `count`; kNone comes last.
-std::vector<Index> sortedBy(const std::vector<Index>& keys, std::size_t count) {
-  std::vector<Index> order(keys.size());
-  std::iota(order.begin(), order.end(), Index{0});
-  sortInBuckets(
-      order, count + 1, [&](Index i) { return std::min(std::size_t{keys[i]}, count); },
-      [](Index a, Index b) { return a < b; });
-  return order;
+std::vector<Index> sortedBy(std::vector<Index> keys, std::size_t count) {
+  for (Index& key : keys) key = std::min(key, Index(count));
+  return orderByKeys(keys, count + 1);
 }
 
 // The vertices at each position.

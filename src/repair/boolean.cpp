@@ -2,6 +2,7 @@
 #include "repair/boolean.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -45,21 +46,19 @@ void turnSecond(TriangleMesh& both, std::span<const Index> numbers) {
 }
 
 // Both with common triangles where their faces lie on each other, facing opposite ways or the same
-// way: then the second is turned over, so that they touch. None if there are no such faces.
-std::optional<JoinedFaces> withCommonFaces(const TriangleMesh& both, std::span<const Index> numbers,
-                                           double steps) {
-  std::optional<JoinedFaces> opposite = withFacesJoined(both, steps, SharedFaces::Kept);
-  TriangleMesh turned = opposite ? opposite->mesh : both;
-  std::vector<Index> own = opposite ? numbersOf(opposite->parents, numbers)
-                                    : std::vector<Index>(numbers.begin(), numbers.end());
-  turnSecond(turned, own);
-  std::optional<JoinedFaces> alike = withFacesJoined(turned, steps, SharedFaces::Kept);
-  if (!alike) return opposite;
-  own = numbersOf(alike->parents, own);
-  turnSecond(alike->mesh, own);
-  if (opposite)
-    for (Index& parent : alike->parents) parent = opposite->parents[parent];
-  return alike;
+// way: then the second is turned over, so that they touch.
+JoinedFaces withCommonFaces(const TriangleMesh& both, std::span<const Index> numbers,
+                            double steps) {
+  JoinedFaces joined{both, std::vector<Index>(both.triangleCount())};
+  std::iota(joined.parents.begin(), joined.parents.end(), Index{0});
+  for (int turn = 0; turn < 2; ++turn) {
+    if (auto next = withFacesJoined(joined.mesh, steps, SharedFaces::Kept)) {
+      for (Index& parent : next->parents) parent = joined.parents[parent];
+      joined = std::move(*next);
+    }
+    turnSecond(joined.mesh, numbersOf(joined.parents, numbers));
+  }
+  return joined;
 }
 
 // The result of operands whose faces were brought together, if fewer of its triangles intersect
@@ -67,15 +66,15 @@ std::optional<JoinedFaces> withCommonFaces(const TriangleMesh& both, std::span<c
 void joinFaces(const TriangleMesh& both, const Operands& operands, United& result) {
   for (const double steps : {4.0, 32.0}) {
     if (result.crossings.empty()) return;
-    const std::optional<JoinedFaces> joined = withCommonFaces(both, operands.numbers, steps);
-    if (!joined) continue;
-    std::optional<United> other = arranged(
-        joined->mesh, {numbersOf(joined->parents, operands.numbers), operands.isInside, {}});
+    const JoinedFaces joined = withCommonFaces(both, operands.numbers, steps);
+    if (joined.mesh.indices == both.indices) continue;
+    std::optional<United> other =
+        arranged(joined.mesh, {numbersOf(joined.parents, operands.numbers), operands.isInside, {}});
     if (!other || other->crossings.size() >= result.crossings.size() ||
         countUnbalancedEdges(other->mesh) > 0)
       continue;
     fires("boolean: touching faces joined");
-    for (Index& parent : other->parents) parent = joined->parents[parent];
+    for (Index& parent : other->parents) parent = joined.parents[parent];
     other->cut = std::max(other->cut, result.cut);
     result = std::move(*other);
   }

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <numeric>
 #include <utility>
 
 #include "base/place.h"
+#include "base/sort_pairs.h"
 #include "contact/body_soup.h"
 #include "contact/common_faces.h"
 #include "geometry/triangle.h"
@@ -52,33 +52,38 @@ class Joining {
     const std::vector<Index> pieces(bodies_.triangleCount(), 0);
     const BodyComplex complex = complexOf(bodies_, pieces, {gap_, gap_});
     if (complex.touching.pairs.empty()) return std::nullopt;
-    const std::vector<Vec3> places = placesOf(complex);
+    places_ = placesOf(complex);
+    made_.assign(places_.size(), kNone);
     std::vector<Joined> triangles;
     for (const ComplexTriangle& t : complex.triangles) {
       const bool isShared = t.other.body != kNone;
       if (isShared && shared_ == SharedFaces::Dropped) continue;
-      const Triangle at = {places[t.corners[0]], places[t.corners[1]], places[t.corners[2]]};
-      triangles.push_back({at, t.own, t.face != kNone});
-      if (isShared) triangles.push_back({{at[0], at[2], at[1]}, t.other, true});
+      const std::array<Index, 3>& c = t.corners;
+      triangles.push_back({c, t.own, t.face != kNone});
+      if (isShared) triangles.push_back({{c[0], c[2], c[1]}, t.other, true});
     }
     for (Joined& t : triangles) {
       t.parent = parentOf(t);
       if (t.parent == kNone) return std::nullopt;
     }
-    std::stable_sort(triangles.begin(), triangles.end(),
-                     [](const Joined& a, const Joined& b) { return a.parent < b.parent; });
-    for (const Joined& t : triangles)
-      if (!add(t)) return std::nullopt;
+    std::vector<Index> parents;
+    for (const Joined& t : triangles) parents.push_back(t.parent);
+    for (const Index i : orderByKeys(parents, bodies_.triangleCount()))
+      if (!add(triangles[i])) return std::nullopt;
     return std::move(result_);
   }
 
  private:
   struct Joined {
-    Triangle at;
+    std::array<Index, 3> corners;  // the complex's points
     BodySide side;
     bool isNew;  // of a face that was triangulated anew; else it lies in its parent
     Index parent = kNone;
   };
+
+  Triangle at(const Joined& t) const {
+    return {places_[t.corners[0]], places_[t.corners[1]], places_[t.corners[2]]};
+  }
 
   static bool isBefore(const Vec3& p, const Vec3& q) {
     return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
@@ -112,7 +117,7 @@ class Joining {
 
   // The nearest triangle of those of its body and group that face the same way.
   Index parentOf(const Joined& t) const {
-    const auto& [p, q, r] = t.at;
+    const auto [p, q, r] = at(t);
     const Vec3 middle = (p + q + r) / 3, normal = areaVector(p, q, r);
     Box box;
     box.extend(middle.array() - kMoved * gap_);
@@ -130,26 +135,28 @@ class Joining {
   std::vector<Index> sourcesOf(const Joined& t) const {
     if (bodies_.attributes.empty() || !t.isNew) return {t.parent};
     Box box;
-    for (const Vec3& p : t.at) {
+    for (const Vec3& p : at(t)) {
       box.extend(p.array() - kMoved * gap_);
       box.extend(p.array() + kMoved * gap_);
     }
     const Triangle own = tree_.corners(t.parent);
     const Vec3 normal = unitNormal(own[0], own[1], own[2]);
-    std::vector<std::pair<double, Index>> found;
+    std::vector<Index> found;
+    double largest = 0;
     tree_.visitOverlapping(box, [&](Index s) {
       const Triangle c = tree_.corners(s);
       const Vec3 vector = areaVector(c[0], c[1], c[2]);
-      bool isOn = sides_[s] == t.side && vector.dot(normal) > kAlike * vector.norm();
+      const double size = vector.norm();
+      bool isOn = sides_[s] == t.side && vector.dot(normal) > kAlike * size;
       for (std::size_t k = 0; k < 3; ++k)
         isOn = isOn && std::abs(normal.dot(c[k] - own[0])) <=
                            std::max(kMoved * gap_, kOffPlane * (c[k] - own[0]).norm());
-      if (isOn) found.emplace_back(-vector.norm(), s);
+      if (!isOn) return;
+      found.push_back(s);
+      if (size > largest) std::swap(found.front(), found.back());
+      largest = std::max(largest, size);
     });
-    std::sort(found.begin(), found.end());
-    std::vector<Index> sources;
-    for (const auto& [size, s] : found) sources.push_back(s);
-    return sources;
+    return found;
   }
 
   const Index* verticesOf(Index t) const { return &bodies_.indices[3 * std::size_t{t}]; }
@@ -195,14 +202,16 @@ class Joining {
   bool add(const Joined& t) {
     const std::vector<Index> sources = sourcesOf(t);
     if (sources.empty() || !areLinear(sources)) return false;
-    for (const Vec3& p : t.at) result_.mesh.indices.push_back(vertexAt(p, t.parent, sources));
+    for (const Index point : t.corners)
+      result_.mesh.indices.push_back(vertexAt(point, t.parent, sources));
     if (!bodies_.groups.empty()) result_.mesh.groups.push_back(bodies_.groups[t.parent]);
     result_.parents.push_back(t.parent);
     return true;
   }
 
-  Index vertexAt(const Vec3& p, Index parent, const std::vector<Index>& sources) {
+  Index vertexAt(Index point, Index parent, const std::vector<Index>& sources) {
     TriangleMesh& mesh = result_.mesh;
+    const Vec3& p = places_[point];
     const auto ownOf = [&](Index triangle) {
       const Index* v = verticesOf(triangle);
       const Index* own = std::find_if(v, v + 3, [&](Index i) { return bodies_.positions[i] == p; });
@@ -215,13 +224,13 @@ class Joining {
     mesh.positions.push_back(p);
     if (mesh.attributes.empty()) return made;
     append(sources.front(), p, mesh.attributes);
-    std::vector<Index>& others = made_[{p.x(), p.y(), p.z()}];
-    for (const Index other : others)
+    for (Index other = made_[point]; other != kNone;
+         other = next_[other - bodies_.positions.size()])
       if (areSame(mesh.attributes, other, mesh.attributes, made)) {
         dropLastVertex(mesh);
         return other;
       }
-    others.push_back(made);
+    next_.push_back(std::exchange(made_[point], made));
     return made;
   }
 
@@ -231,7 +240,9 @@ class Joining {
   const std::vector<BodySide> sides_;
   const TriangleTree tree_;
   const AttributeMix mix_;
-  std::map<std::array<double, 3>, std::vector<Index>> made_;  // new vertices with attributes
+  std::vector<Vec3> places_;  // of the complex's points
+  std::vector<Index> made_;   // per point the last vertex made there
+  std::vector<Index> next_;   // per vertex made another one at its point
   JoinedFaces result_;
 };
 
