@@ -15,6 +15,7 @@
 #include "measure/hausdorff.h"
 #include "measure/mesh_report.h"
 #include "mesh/mesh_builder.h"
+#include "remesh/schemes/chooser.h"
 #include "remesh/schemes/shape_comparison.h"
 
 namespace remesher {
@@ -82,6 +83,91 @@ Warning awayFor(const std::string& limits, double away, const char* hint) {
                                   " % of the diagonal away. " + hint};
 }
 
+class AngleSearch {
+ public:
+  AngleSearch(const TriangleMesh& input, const Welding& welding, const RemeshOptions& asked,
+              const Progress& progress)
+      : input_(input), welding_(welding), asked_(asked), options_(asked), progress_(progress) {
+    options_.tooFew = TooFew::Raise;
+  }
+
+  RemeshOutcome run() {
+    RemeshOutcome unlimited = withoutAngle();
+    const Rule& rule = choose(Decision::OpenLimits, [&](Fact fact) {
+      if (fact == Fact::UnlimitedKeeps) return hasAngle(unlimited, *asked_.minAngle);
+      if (fact == Fact::NumberFound) search(unlimited);
+      return fact == Fact::NumberFound && best_;
+    });
+    if (best_) warn();
+    RemeshOutcome taken = std::move(best_ ? *best_ : unlimited);
+    if (rule.taken != Candidate::AsMade) taken.chosen = inReport(rule);
+    return taken;
+  }
+
+ private:
+  RemeshOutcome withoutAngle() const {
+    const RemeshOptions unlimited = withoutLimits(asked_);
+    if (leavesNumberOpen(unlimited))
+      return remeshAtOpenNumber(input_, welding_, unlimited, progress_);
+    return remeshSurface(input_, welding_, unlimited, progress_);
+  }
+
+  // Twice as many vertices each time.
+  void search(const RemeshOutcome& first) {
+    hasShape_ = first.prefer == Prefer::Shape;
+    const double most = std::max(kMostTimes * double(own_), kMostOfSmall);
+    for (double next = double(first.vertices); next <= most; next *= 2) {
+      options_.vertices = Index(next);
+      if (hasShape_ && takeUnlimited()) return;
+      if (takeLimited()) return;
+    }
+  }
+
+  // Takes the mesh made without the angle if that has the input's shape and keeps the angle.
+  bool takeUnlimited() {
+    RemeshOutcome made =
+        remeshSurface(input_, welding_, withoutLimits(options_), progress_.part(1, 1));
+    if (made.prefer != Prefer::Shape || !hasAngle(made, *asked_.minAngle)) return false;
+    best_ = std::move(made);
+    away_ = 0;
+    return true;
+  }
+
+  // Takes the mesh made with the angle if no better one was made. Returns whether more vertices are
+  // not worth a try.
+  bool takeLimited() {
+    RemeshOutcome made = remeshSurface(input_, welding_, options_, progress_.part(1, 1));
+    const double before = std::exchange(missed_, missedIn(made));
+    const double away = hasShape_ ? seenAway(input_, made) : 0;
+    const bool keeps = keepsAngle(made);
+    if (!best_ || (keeps ? !keepsAngle(*best_) || away < away_ : missed_ < missedIn(*best_))) {
+      best_ = std::move(made);
+      away_ = away;
+    }
+    const bool gainsLittle = *options_.vertices > kFewVertices && kGains * missed_ > before;
+    return keeps ? away <= 1 : gainsLittle;
+  }
+
+  void warn() {
+    if (!keepsAngle(*best_)) fires("angle number: no number keeps the angle");
+    if (best_->vertices > own_) best_->warnings.push_back(moreForAngle(best_->vertices, own_));
+    if (hasShape_ && away_ > 1)
+      best_->warnings.push_back(
+          awayFor("the smallest angle", away_, "Ask for more vertices, or a smaller angle."));
+  }
+
+  const TriangleMesh& input_;
+  const Welding& welding_;
+  const RemeshOptions& asked_;
+  RemeshOptions options_;
+  const Progress& progress_;
+  const std::size_t own_ = countPlaces(input_.positions);
+  bool hasShape_ = false;              // the mesh made without the angle has the input's shape
+  std::optional<RemeshOutcome> best_;  // of all numbers tried
+  double away_ = 0;                    // of the best mesh, as seenAway gives it
+  double missed_ = kInfinity;          // by the mesh made last, as missedIn gives it
+};
+
 }  // namespace
 
 Warning moreForAngle(std::size_t vertices, std::size_t own) {
@@ -107,63 +193,30 @@ RemeshOutcome remeshAtAngle(const TriangleMesh& input, Welding welding,
                             const RemeshOptions& options, const Progress& progress) {
   if (!isFaceted(buildMesh(input)))
     return remeshSurface(input, std::move(welding), options, progress);
-  RemeshOutcome own = remeshSurface(input, welding, forFacets(options), progress);
-  const bool isKept =
-      options.edgeLength ? keepsLimits(own.mesh, options) : hasAngle(own, *options.minAngle);
-  if (isKept) return own;
-  RemeshOutcome limited = remeshSurface(input, std::move(welding), options, progress.part(1, 1));
-  const double away = own.prefer == Prefer::Shape ? seenAway(input, limited) : 0;
-  if (away > (options.edgeLength ? kMostOfLengths : kMostSeen)) return own;
+  RemeshOutcome unlimited = remeshSurface(input, welding, forFacets(options), progress);
+  std::optional<RemeshOutcome> limited;
+  double away = 0;
+  const Rule& rule = choose(Decision::Limits, [&](Fact fact) {
+    if (fact == Fact::UnlimitedKeeps)
+      return options.edgeLength ? keepsLimits(unlimited.mesh, options)
+                                : hasAngle(unlimited, *options.minAngle);
+    if (fact != Fact::LimitsDent) return false;
+    limited = remeshSurface(input, std::move(welding), options, progress.part(1, 1));
+    if (unlimited.prefer == Prefer::Shape) away = seenAway(input, *limited);
+    return away > (options.edgeLength ? kMostOfLengths : kMostSeen);
+  });
+  if (rule.taken == Candidate::Unlimited) {
+    unlimited.chosen = inReport(rule);
+    return unlimited;
+  }
   if (away > kMostSeen)
-    limited.warnings.push_back(awayFor("the length of edges", away, "Ask for shorter edges."));
-  return limited;
+    limited->warnings.push_back(awayFor("the length of edges", away, "Ask for shorter edges."));
+  return std::move(*limited);
 }
 
 RemeshOutcome remeshToAngle(const TriangleMesh& input, Welding welding,
                             const RemeshOptions& options, const Progress& progress) {
-  const RemeshOptions unlimited = withoutLimits(options);
-  RemeshOutcome made = leavesNumberOpen(unlimited)
-                           ? remeshAtOpenNumber(input, welding, unlimited, progress)
-                           : remeshSurface(input, welding, unlimited, progress);
-  if (hasAngle(made, *options.minAngle)) return made;
-  const bool hasShape = made.prefer == Prefer::Shape;
-  const std::size_t own = countPlaces(input.positions);
-  const double most = std::max(kMostTimes * double(own), kMostOfSmall);
-  RemeshOptions numbered = options;
-  numbered.tooFew = TooFew::Raise;
-  std::optional<RemeshOutcome> best;
-  double nearest = kInfinity, missed = kInfinity;
-  for (double next = double(made.vertices); next <= most; next *= 2) {
-    numbered.vertices = Index(next);
-    if (hasShape) {
-      RemeshOutcome same =
-          remeshSurface(input, welding, withoutLimits(numbered), progress.part(1, 1));
-      if (same.prefer == Prefer::Shape && hasAngle(same, *options.minAngle)) {
-        best = std::move(same);
-        nearest = 0;
-        break;
-      }
-    }
-    RemeshOutcome more = remeshSurface(input, welding, numbered, progress.part(1, 1));
-    const double before = std::exchange(missed, missedIn(more));
-    const double away = hasShape ? seenAway(input, more) : 0;
-    const bool keeps = keepsAngle(more);
-    const bool isBetter =
-        keeps ? !best || !keepsAngle(*best) || away < nearest : !best || missed < missedIn(*best);
-    if (isBetter) {
-      best = std::move(more);
-      nearest = away;
-    }
-    const bool isInVain = next > kFewVertices && kGains * missed > before;
-    if (keeps ? away <= 1 : isInVain) break;
-  }
-  if (!best) return made;
-  if (!keepsAngle(*best)) fires("angle number: no number keeps the angle");
-  if (best->vertices > own) best->warnings.push_back(moreForAngle(best->vertices, own));
-  if (hasShape && nearest > 1)
-    best->warnings.push_back(
-        awayFor("the smallest angle", nearest, "Ask for more vertices, or a smaller angle."));
-  return std::move(*best);
+  return AngleSearch(input, welding, options, progress).run();
 }
 
 }  // namespace remesher

@@ -160,7 +160,8 @@ class FewestSearch {
     const auto asked = double(*options_.vertices), reached = std::max(asked, double(made.vertices));
     const bool keeps =
         made.stopped == Stopped::Target || (asked_.quads && made.stopped != Stopped::MaxError);
-    // A mesh that grew in vain, beyond a number that is enough, says no more than its own number.
+    // Where a mesh missed the bound although it grew beyond a number that suffices, only the number
+    // asked for is known to fail.
     const bool isBeyond = !keeps && does_ && reached >= *does_;
     (keeps ? does_ : fails_) = isBeyond ? asked : reached;
     isLeast_ = keeps && reached > asked;

@@ -3,13 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
-#include "base/fires.h"
 #include "jobs/fewest_vertices.h"
 #include "measure/hausdorff.h"
 #include "measure/mesh_report.h"
+#include "remesh/schemes/chooser.h"
 #include "remesh/schemes/shape_comparison.h"
 
 namespace remesher {
@@ -65,22 +66,36 @@ class OpenNumber {
 
   RemeshOutcome run() {
     RemeshOutcome own = remeshSurface(input_, welding_, asked_, progress_);
-    if (own.prefer == Prefer::Even || hasEvenAngles(input_) || isIsotropic(input_, own)) return own;
-    const auto places = double(own.vertices);
-    double enough = fewestDrafted(places);
-    for (double next = enough; next > 0 && next <= kMostTaken * places; next *= kNearNumber) {
-      RemeshOutcome more = runAt(next, asked_.quality);
-      if (!isIsotropic(input_, more)) continue;
-      more.warnings.push_back(moreTaken(more.vertices, own.vertices));
-      return more;
-    }
-    fires("open number: more would be needed than may be taken");
-    if (enough <= kMostTaken * places) enough = 0;
-    own.warnings.push_back(takesMore(enough, own.vertices));
-    return own;
+    std::optional<RemeshOutcome> more;
+    const Rule& rule = choose(Decision::OpenNumber, [&](Fact fact) {
+      if (fact == Fact::SimplifiedTaken) return own.prefer == Prefer::Shape;
+      if (fact == Fact::InputIsotropic) return hasEvenAngles(input_);
+      if (fact == Fact::ResultIsotropic) return isIsotropic(input_, own);
+      if (fact == Fact::MoreSuffice) more = fewestIsotropic(double(own.vertices));
+      return fact == Fact::MoreSuffice && more;
+    });
+    if (rule.taken == Candidate::AsMade) return own;
+    const std::size_t ownNumber = own.vertices;
+    RemeshOutcome taken = std::move(more ? *more : own);
+    taken.chosen = inReport(rule);
+    taken.warnings.push_back(more ? moreTaken(taken.vertices, ownNumber)
+                                  : takesMore(wouldSuffice_, ownNumber));
+    return taken;
   }
 
  private:
+  // With about the fewest vertices, at most kMostTaken × own. If more would suffice, wouldSuffice_
+  // says how many.
+  std::optional<RemeshOutcome> fewestIsotropic(double own) {
+    const double enough = fewestDrafted(own), most = kMostTaken * own;
+    for (double next = enough; next > 0 && next <= most; next *= kNearNumber) {
+      RemeshOutcome made = runAt(next, asked_.quality);
+      if (isIsotropic(input_, made)) return made;
+    }
+    wouldSuffice_ = enough > most ? enough : 0;
+    return {};
+  }
+
   // About the fewest vertices of a draft that is isotropic; 0 if none was found.
   double fewestDrafted(double own) const {
     double fails = own, does = kMostTaken * own;
@@ -111,6 +126,7 @@ class OpenNumber {
   const Welding& welding_;
   const RemeshOptions& asked_;
   const Progress& progress_;
+  double wouldSuffice_ = 0;
 };
 
 }  // namespace

@@ -19,6 +19,9 @@ enum class Decision {
   Surface,     // triangles of one surface
   Quads,       // quads of one surface
   Bound,       // the fewest vertices within an error bound
+  OpenNumber,  // neither a number of vertices nor a bound was given
+  Limits,      // a number of vertices, and limits of angles or of edges as well
+  OpenLimits,  // a smallest angle, which decides the number of vertices
   Repaired,    // a simplified mesh of a surface that was repaired
   Crossings,   // a result that intersects itself where the input does not
   Written,     // a result rounded to the digits that are written
@@ -35,6 +38,8 @@ enum class Candidate {
   Conforming,  // triangles within the original's facets, on its shape exactly, or unrolled
   Uncrossed,   // isotropic triangles, made again by steps that add no self-intersection
   Own,         // of the input's own vertices those that the shape needs
+  More,        // more vertices than the input has, with isotropic triangles
+  Unlimited,   // the mesh made without regard to the limits
   MirroredQuads,
   Quads,
   Repaired,  // the surface that repair made
@@ -72,6 +77,12 @@ enum class Fact {
   // About the result.
   OwnWithinBound,      // the input's own vertices keep the bound
   SimplifiedTaken,     // instead of isotropic triangles
+  InputIsotropic,      // the angles of the input's own triangles are wide on average
+  ResultIsotropic,     // the same of the result, which is nowhere seen to be away
+  MoreSuffice,         // with at most four times the input's vertices the triangles are so
+  UnlimitedKeeps,      // the mesh made without regard to the limits keeps them
+  LimitsDent,          // triangles within the limits are far away, the others are not
+  NumberFound,         // some number of vertices was tried for the angle
   ResultUnsound,       // open, not a 2-manifold, degenerate or self-intersecting
   OriginalSound,       // none of these
   CrossingsMade,       // by a run that may mend them, of an input without any

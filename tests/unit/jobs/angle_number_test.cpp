@@ -49,12 +49,14 @@ TEST_CASE("angle number: a slab gets the vertices that its angles take, and keep
   CHECK(found.toResult.maximum <= 1e-3 * found.diagonal);
   REQUIRE(!outcome.warnings.empty());
   CHECK(outcome.warnings.back().code == "MORE_VERTICES_TAKEN");
+  CHECK(outcome.chosen.rule == "vertices-for-angle");
 }
 
 TEST_CASE("angle number: a mesh that keeps the angle anyway is the one without the limit") {
   const TriangleMesh cube = shapes::cube(1);
   CHECK(made(cube, 30).vertices == 8);
   CHECK(inspectMesh(made(cube, 30).mesh).minAngle.worst == doctest::Approx(45));
+  CHECK(made(cube, 30).chosen.rule == "angle-kept-anyway");
 }
 
 TEST_CASE(
@@ -72,6 +74,7 @@ TEST_CASE(
     CHECK(wanted.maxEdge->kept >= 99.9);
     CHECK(wanted.minAngle->kept >= 99.9);
     CHECK((outcome.prefer == Prefer::Shape) == (part.positions.size() == 8));
+    CHECK((outcome.chosen.rule == "unlimited-keeps") == (part.positions.size() == 8));
   }
 }
 

@@ -41,12 +41,14 @@ TEST_CASE("open number: the input's own where isotropic triangles keep the shape
   CHECK(made.vertices == inspectMesh(sphere).vertices);
   CHECK(made.prefer == Prefer::Even);
   CHECK(made.warnings.empty());
+  CHECK(made.chosen.rule != "more-vertices");
 }
 
 TEST_CASE("open number: of a part as many as isotropic triangles need") {
   for (const TriangleMesh& part : {shapes::drilledPlate(3, 2), shapes::drilledPlate(8, 0.5)}) {
     const RemeshOutcome made = remeshedOpenly(part);
     CHECK(says(made, "MORE_VERTICES_TAKEN"));
+    CHECK(made.chosen.rule == "more-vertices");
     CHECK(made.vertices > part.positions.size());
     CHECK(made.vertices <= 4 * part.positions.size());
     CHECK(isIsotropicOf(part, made));
@@ -69,6 +71,7 @@ TEST_CASE("open number: where four times as many do not suffice the shape stays,
   CHECK(made.vertices == block.positions.size());
   CHECK(measureFidelity(block, made.mesh).hausdorff <= kWithin);
   REQUIRE(says(made, "ISOTROPIC_TAKES_MORE"));
+  CHECK(made.chosen.rule == "own-number");
   const std::string& message = made.warnings.front().message;
   RemeshOptions options;
   options.vertices = Index(std::stoul(message.substr(message.find("about ") + 6)));

@@ -41,6 +41,17 @@ export default {
   'chosen.quads': 'Vierecke waren verlangt.',
   'chosen.own-triangles': 'Die Punkte, die die Form braucht, halten die Grenze ein; '
     + 'gleichmäßige Dreiecke bräuchten mehr, als das Original hat.',
+  'chosen.more-vertices': 'Keine Zahl von Punkten war gegeben: etwa die wenigsten, mit denen '
+    + 'gleichmäßige Dreiecke die Form nicht sichtbar ändern.',
+  'chosen.own-number': 'Keine Zahl von Punkten war gegeben, und gleichmäßige Dreiecke, die die '
+    + 'Form nicht sichtbar ändern, bräuchten zu viele: Zahl und Form bleiben die des Originals.',
+  'chosen.unlimited-keeps': 'Das Netz der ebenen Flächen hält die Grenzen schon von sich aus ein.',
+  'chosen.limits-dent': 'Dreiecke in den Grenzen würden das Teil sichtbar eindellen: Das Netz '
+    + 'seiner ebenen Flächen erhält die Form, aber nicht alle Grenzen.',
+  'chosen.angle-kept-anyway': 'Das Netz, das ohne Rücksicht auf den kleinsten Winkel entsteht, '
+    + 'hält ihn ein.',
+  'chosen.vertices-for-angle': 'Es sind so viele Punkte, wie der kleinste Winkel braucht oder wie '
+    + 'ihm am nächsten kommen.',
   'chosen.simplified-unsound': 'Vereinfachen würde die reparierte Fläche sich selbst schneiden '
     + 'lassen.',
   'chosen.uncrossed': 'Gleichmäßige Dreiecke schnitten einander und wurden ohne das noch einmal '

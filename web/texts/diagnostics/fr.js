@@ -43,6 +43,17 @@ export default {
   'chosen.quads': 'Des quads étaient demandés.',
   'chosen.own-triangles': 'Les sommets dont la forme a besoin tiennent la limite ; des '
     + 'triangles réguliers en demanderaient plus que n’en a l’original.',
+  'chosen.more-vertices': 'Aucun nombre de sommets n’était donné : à peu près le plus petit avec '
+    + 'lequel des triangles réguliers ne changent pas visiblement la forme.',
+  'chosen.own-number': 'Aucun nombre de sommets n’était donné, et des triangles réguliers qui ne '
+    + 'changent pas visiblement la forme en demanderaient trop : l’original garde son nombre et '
+    + 'sa forme.',
+  'chosen.unlimited-keeps': 'Le maillage des facettes respecte déjà les limites de lui-même.',
+  'chosen.limits-dent': 'Des triangles dans les limites bosselleraient visiblement la pièce : le '
+    + 'maillage de ses facettes en garde la forme, mais pas toutes les limites.',
+  'chosen.angle-kept-anyway': 'Le maillage fait sans tenir compte du plus petit angle le respecte.',
+  'chosen.vertices-for-angle': 'Il y a autant de sommets que le plus petit angle en demande, ou '
+    + 'que ce qui s’en approche le plus.',
   'chosen.simplified-unsound': 'Simplifiée, la surface réparée se couperait elle-même.',
   'chosen.uncrossed': 'Les triangles réguliers se coupaient et ont été refaits sans cela.',
   'chosen.uncrossed-simplified': 'Les triangles réguliers se coupent ; les simplifiés, non.',
