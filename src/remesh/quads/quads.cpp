@@ -361,12 +361,6 @@ class QuadMaking {
 
 }  // namespace
 
-QuadMesh pairToQuads(const WorkingMesh& mesh, double length) {
-  QuadMesh quads = pairsOf(mesh, length);
-  shape(quads, mesh);
-  return quads;
-}
-
 std::size_t wholeCount(const QuadMesh& mesh, const Mirrors& mirrors) {
   std::size_t sum = 0;
   for (const Placement& place : mesh.vertices) {

@@ -60,7 +60,4 @@ enum class Tears { Refused, Closed };
 QuadMesh mapToQuads(const WorkingMesh& part, double vertices, SizeMaker& sizesOn,
                     Tears tears = Tears::Refused, const FieldWishes& wishes = {});
 
-// Quads by pairs, with about four times as many vertices as the mesh. length: of the quads' sides.
-QuadMesh pairToQuads(const WorkingMesh& mesh, double length);
-
 }  // namespace remesher

@@ -13,15 +13,13 @@ namespace {
 
 struct Tables {
   static constexpr int kSteps = 4096;  // of light; nearly every byte spans more than one step
-  std::array<double, 256> light;
   std::array<float, 256> lights, fractions;    // the value of each byte
   std::array<double, 256> bounds;              // the light from which the next byte is nearer
   std::array<std::uint8_t, kSteps + 1> bytes;  // the byte for the light at the start of each step
 
   Tables() {
     for (int i = 0; i < 256; ++i) {
-      light[i] = io::linearFromSrgb(i / 255.0);
-      lights[i] = float(light[i]);
+      lights[i] = float(io::linearFromSrgb(i / 255.0));
       fractions[i] = float(i) / 255;
     }
     for (int i = 0; i < 255; ++i) bounds[i] = io::linearFromSrgb((i + 0.5) / 255);
@@ -55,8 +53,6 @@ long neighbour(long i, long size, io::Wrap wrap) {
 }
 
 }  // namespace
-
-double lightOf(std::uint8_t srgb) { return tables().light[srgb]; }
 
 std::uint8_t srgbOf(double light) {
   const Tables& t = tables();

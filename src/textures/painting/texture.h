@@ -12,7 +12,6 @@ namespace remesher {
 // How colour bytes are read: as light encoded in sRGB, or as fractions.
 enum class Coding { Light, Fraction };
 
-double lightOf(std::uint8_t srgb);     // 0 to 1
 std::uint8_t srgbOf(double light);     // the nearest byte, after clamping
 std::uint8_t byteOf(double fraction);  // the same for a fraction
 

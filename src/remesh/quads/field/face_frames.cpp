@@ -45,10 +45,6 @@ Vec2 FaceFrames::inFrame(Face f, const Vec3& vector) const {
   return {vector.dot(x_[f]), vector.dot(y_[f])};
 }
 
-Vec3 FaceFrames::inSpace(Face f, const Vec2& vector) const {
-  return vector.x() * x_[f] + vector.y() * y_[f];
-}
-
 Vec2 FaceFrames::edge(Halfedge h) const {
   const HalfedgeMesh& m = mesh_.mesh();
   return inFrame(HalfedgeMesh::face(h), mesh_.position(m.tip(h)) - mesh_.position(m.origin(h)));

@@ -11,9 +11,8 @@ class FaceFrames {
  public:
   explicit FaceFrames(const WorkingMesh& mesh);
 
-  // Vectors in the plane of f: its first edge lies along x.
+  // A vector in the plane of f: its first edge lies along x.
   Vec2 inFrame(Face f, const Vec3& vector) const;
-  Vec3 inSpace(Face f, const Vec2& vector) const;
   const Vec3& normal(Face f) const { return normal_[f]; }
   double area(Face f) const { return area_[f]; }
 

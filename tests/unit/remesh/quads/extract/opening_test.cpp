@@ -10,9 +10,12 @@
 
 #include "mesh/topology.h"
 #include "remesh/quads/extract/short_cycles.h"
+#include "remesh/quads/field/singularities.h"
 #include "remesh/quads/mesh/quad_check.h"
+#include "remesh/quads/pair/pairing.h"
 #include "remesh/quads/quad_sizes.h"
 #include "remesh/quads/quads.h"
+#include "remesh/quads/shape/finish.h"
 #include "support/working_meshes.h"
 
 using namespace remesher;
@@ -31,6 +34,14 @@ TriangleMesh tornBall() {
 }
 
 constexpr double kTube = 2 * std::numbers::pi * 0.1;  // around the tube
+
+QuadMesh pairToQuads(const WorkingMesh& mesh, double length) {
+  const FaceFrames frames(mesh);
+  const CrossField field = makeSmoothField(mesh, frames, length);
+  QuadMesh quads = splitPairs(mesh, pairTriangles(mesh, frames, field));
+  shape(quads, mesh);
+  return quads;
+}
 
 TriangleMesh thinRing() {
   TriangleMesh ring;

@@ -32,9 +32,9 @@ TEST_CASE("guide directions: crosses turn along a guide, most on it and not a le
     if (away > 0.65) CHECK(asked[Face(i)] == 0.0);
     if (away > 0.1) continue;
     CHECK(std::abs(asked[Face(i)]) > 0.4);
-    const double own = field.angle[Face(i)];
-    const Vec3 along = frames.inSpace(Face(i), {std::cos(own), std::sin(own)});
-    const double off = std::remainder(std::atan2(along.y(), along.x()) - angle, kQuarterTurn);
+    const Vec2 along = frames.inFrame(Face(i), Vec3(std::cos(angle), std::sin(angle), 0));
+    const double off =
+        std::remainder(std::atan2(along.y(), along.x()) - field.angle[Face(i)], kQuarterTurn);
     CHECK(std::abs(off) < radians(10));
   }
 }
