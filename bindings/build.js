@@ -24,7 +24,7 @@ import { thisSystem } from './build/system.js';
 
 /** @typedef {import('./build/needs.js').Part} Part */
 
-/** The unit tests, which remember what passed; what fails is told when it is their turn. */
+/** The unit tests, which remember what passed; failures are printed when it is their turn. */
 function testAhead() {
   const words = ['--test', 'tests/house/unit.test.js'];
   return run(process.execPath, words, { givesWay: true }).catch(() => {});

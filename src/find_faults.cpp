@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is broken, and which edges bend: found, and left as it is.
+// Finds the faults of a mesh, and the edges that bend, and changes nothing.
 #include <algorithm>
 #include <optional>
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Build step: leaves out what the page and its workers do not need, of the package and of three.js,
+// Build step: leaves out the parts of the package and of three.js that the page does not need,
 // shortens shaders, and preloads WebAssembly.
 
 const nothing = '\0nothing';
@@ -19,8 +19,8 @@ export function withoutUnused() {
   };
 }
 
-/** What the page's workers never need: the page writes nothing compressed, and asks for the whole
- * engine before anything else, which then takes arrays, too. */
+/** Modules that the page's workers never need: the page writes nothing compressed, and asks for the
+ * whole engine before anything else, which then takes arrays, too. */
 const unneeded = /\/(codecs\/compress|arrays_script)\.js$/;
 const unneededNames = 'compressed = null, requireCompressible = null, createInstance = null';
 

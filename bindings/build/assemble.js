@@ -50,7 +50,7 @@ ${await shortened(String(read('meshoptimizer/meshopt_encoder.js')))}`,
 
 /**
  * One of Draco's modules with its WebAssembly inside.
- * @param {string} name what the script calls it @param {string} script @param {string} wasm
+ * @param {string} name its name in the script @param {string} script @param {string} wasm
  */
 async function dracoModule(name, script, wasm) {
   const read = (/** @type {string} */ file) =>

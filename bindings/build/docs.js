@@ -40,7 +40,7 @@ const scenes = 'web/scenes';
 /** The files of the package that only Node or the command line need, or other packages' users. */
 const notOfPages = /\.d\.m?ts$|_node|^(cli|files|adapters)$/;
 
-/** What a page with figures that live loads: scenes import the package as everyone does. */
+/** The files that a page with live figures loads: scenes import the package as everyone does. */
 const liveFigures = `<script type="importmap">{ "imports": { "remesher": "../package/index.js",
   "remesher/arrays": "../package/arrays.js" } }</script>
   <script type="module" src="../scenes/scenes.js"></script>`;

@@ -16,7 +16,7 @@ export { cardWords };
  * A line of a card.
  * @typedef {object} CardRow
  * @property {'triangles' | 'quads' | 'vertices' | 'pieces' | 'closed' | 'nonManifoldEdges'
- *   | 'selfIntersections' | 'hidden' | 'coverage' | 'distance' | 'bytes'} name What it is about.
+ *   | 'selfIntersections' | 'hidden' | 'coverage' | 'distance' | 'bytes'} name Its subject.
  * @property {string} label The same in words.
  * @property {string} before Empty for what only the result has.
  * @property {string} after In words, with the numbers as the language writes them.
@@ -31,7 +31,7 @@ export { cardWords };
 /** The language if none is given. */
 const usual = 'en';
 
-/** Percent: what is less is rounding. */
+/** Percent: smaller figures are rounding. */
 const leastShown = 0.0001;
 
 const unitsOfBytes = ['byte', 'kilobyte', 'megabyte', 'gigabyte'];
@@ -102,7 +102,7 @@ export function cardRows(card, language = usual) {
 const plain = (text) => text.replace(/\s+/g, ' ').replace(/[\\|`*_<>[\]#]/g, '\\$&');
 
 /**
- * A card as a page of Markdown: a table of what was before and after.
+ * A card as a page of Markdown: a table of figures before and after.
  *
  * @example
  * await writeFile('card.md', cardText(report.card, { title: 'helmet.glb' }));

@@ -45,7 +45,7 @@ constexpr std::string_view name(ErrorCode code) {
   return kErrorCodeNames[static_cast<std::size_t>(code)];
 }
 
-// message: what is wrong and where. hint: what to do about it; may be empty.
+// message: the fault and its place. hint: a way out of it; may be empty.
 struct Error : std::runtime_error {
   Error(ErrorCode errorCode, const std::string& message, std::string whatToDo = {})
       : std::runtime_error(message), code(errorCode), hint(std::move(whatToDo)) {}

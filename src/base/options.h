@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a caller can ask of a run. Angles in degrees, lengths in model units, errors in percent of
+// The options of a run. Angles in degrees, lengths in model units, errors in percent of
 // the bounding box diagonal. An unset optional means the scheme's own default, which `resolved`
 // fills in.
 #pragma once
@@ -30,7 +30,7 @@ enum class Symmetry { Auto, Off, X, Y, Z, XY, XZ, YZ, XYZ };
 inline bool isForced(Symmetry symmetry) {
   return symmetry != Symmetry::Auto && symmetry != Symmetry::Off;
 }
-enum class Repair { Off, Holes, Solid, Wrap, Auto };  // what is mended before remeshing
+enum class Repair { Off, Holes, Solid, Wrap, Auto };  // before remeshing
 // Whether a lattice makes the surface anew: of the way that was taken, not of Auto.
 inline bool isRemade(Repair repair) { return repair == Repair::Solid || repair == Repair::Wrap; }
 enum class Sheets { Thicken, Drop };   // what wrap does with open sheets
@@ -51,14 +51,14 @@ struct MirrorPlane {
   Vec3 onto(const Vec3& p) const { return p - distance(p) * normal; }
 };
 
-// What a half is to be mirrored by: planes at right angles to each other.
+// The planes that mirror a half, at right angles to each other.
 struct Mirrors {
   std::vector<MirrorPlane> planes;
-  double slack = 0;          // what is nearer to a plane lies on it
+  double slack = 0;          // vertices nearer to a plane lie on it
   std::size_t vertices = 0;  // of the whole
 };
 
-// What a guide decides of quads: along which directions they lie beside it, or that it becomes
+// The effect of a guide on quads: along which directions they lie beside it, or that it becomes
 // sides of quads.
 enum class GuideKind { Direction, Loop };
 

@@ -126,7 +126,8 @@ struct SizedPlace {
 // The most places that a report lists of a kind, the widest first.
 inline constexpr std::size_t kMostSizedPlaces = 10;
 
-// What repair did. For files of several parts: sums, and the mode that mended most triangles.
+// The outcome of a repair. For files of several parts: sums, and the mode that mended most
+// triangles.
 struct RepairReport {
   std::string mode;
   std::string reason;                        // why that one: asked, sound, shells, enclosed, open
@@ -149,13 +150,13 @@ struct FaultPlaces {
   std::vector<Vec3> openLoops, selfIntersections, innerShells, insideOut;
 };
 
-// What a repair takes, known before it begins. Approximate.
+// The time and memory of a repair, known before it begins. Approximate.
 struct RepairNeeds {
   double bytes = 0;
   double seconds = 0;  // of one core, in WebAssembly
 };
 
-// What is broken, and which repair would mend it.
+// The faults of a mesh, and the repair that would mend them.
 struct FaultReport {
   std::vector<double> openLoops;      // lengths in percent of the diagonal, the longest first
   std::size_t selfIntersections = 0;  // triangles that meet others

@@ -18,7 +18,7 @@ inline constexpr double kRepairBytesPerTriangle = 300;
 // `10.2 M`, or all digits of a small number.
 std::string inMillions(double count);
 
-// What a model takes of memory.
+// The memory that a model takes.
 struct RoomNeeds {
   double triangles, bytes;
 };
@@ -27,7 +27,7 @@ bool haveRoom(const RoomNeeds& needs, double addresses = kAddresses);
 // `takes about 6.12 GB of memory; this build has 4.29 GB, enough for about 7.16 M triangles.`
 std::string needsInWords(const RoomNeeds& needs, double addresses = kAddresses);
 
-// OUT_OF_MEMORY for a model of which there is no room to do what the verb says.
+// OUT_OF_MEMORY for a model if there is no room for the work that the verb names.
 [[noreturn]] void refuseSize(const RoomNeeds& needs, const std::string& verb,
                              const std::string& hint, double addresses = kAddresses);
 

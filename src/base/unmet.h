@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How much of what was wanted of edges and triangles a run has not reached, and how much of that
+// How many limits of edges and triangles a run has not kept, and how many of these
 // the input rules out.
 #pragma once
 

@@ -20,8 +20,8 @@ struct Touching {
 };
 
 struct TouchLimits {
-  double touching;  // what is no farther apart than this touches
-  double near;      // what is no farther apart than this nearly does
+  double touching;  // surfaces no farther apart than this touch
+  double near;      // surfaces no farther apart than this nearly do
 };
 
 // Of closed bodies only.

@@ -79,7 +79,7 @@ constexpr Magic kMagics[] = {
      {{}, "a pointer of Git LFS, not the file it stands for", "Fetch that with git lfs pull."}},
 };
 
-// What the beginning of a text in angle brackets names; the first match counts.
+// Formats by the beginning of a text in angle brackets; the first match counts.
 constexpr Magic kMarkup[] = {
     {0, "<html", {{}, "a web page (HTML)", kDownload}},
     {0, "<!doctype html", {{}, "a web page (HTML)", kDownload}},
@@ -94,7 +94,7 @@ constexpr Magic kMarkup[] = {
     {0, "<model", {".3mf", {}, {}}},
 };
 
-constexpr std::size_t kBytesLooked = 4096;  // bytes in which a file has said what it is
+constexpr std::size_t kBytesLooked = 4096;  // at the beginning, where a format shows itself
 
 bool holdsAt(std::string_view bytes, const Magic& magic) {
   return bytes.size() >= magic.at && bytes.substr(magic.at).starts_with(magic.bytes);

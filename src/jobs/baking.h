@@ -13,7 +13,7 @@
 
 namespace remesher {
 
-// What is painted from, beside the materials.
+// The sources of a bake, beside the materials.
 struct PaintInput {
   std::vector<io::Part> given;  // the parts as they came, if repair has changed them; else empty
   std::vector<Picture> pictures;

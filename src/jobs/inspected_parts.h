@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What all levels of detail share: the parts of a scene at about unit size and in canonical order,
-// welded and inspected.
+// The data that all levels of detail share: the parts of a scene at about unit size and in
+// canonical order, welded and inspected.
 #pragma once
 
 #include <vector>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Repairs the parts of a file before any other step, and leaves out what nobody wants, if asked
-// for.
+// Repairs the parts of a file before any other step, and leaves out small and hidden pieces, if
+// asked for.
 #pragma once
 
 #include <optional>
@@ -20,8 +20,9 @@ namespace remesher {
 // The approximate share of a run's time.
 double mendShare(const RemeshOptions& options);
 
-// Repairs the parts in place and leaves out what nobody wants, if asked for, and keeps the reports.
-// Small pieces go before repair, hidden triangles afterwards. A part that keeps no triangle goes.
+// Repairs the parts in place, leaves out small and hidden pieces if asked to, and keeps the
+// reports. Small pieces go before repair, hidden triangles afterwards. A part that keeps no
+// triangle goes.
 class Mending {
  public:
   // Before remeshing the surface is as fine as the target asks for.

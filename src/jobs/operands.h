@@ -18,7 +18,7 @@ struct GivenOperand {
   std::vector<io::Part> parts;
 };
 
-// What the result can hold.
+// The attributes that the result can hold.
 enum class Carried {
   Arrays,  // everything; groups if an operand has any
   Scene,   // groups, and no attributes of skins and morph targets

@@ -74,7 +74,7 @@ class Scaled {
   throw Error(ErrorCode::NoTriangles, "Nothing is left: " + a + " and " + b + " have no volume.");
 }
 
-// What repair has done to both operands.
+// The repair of both operands.
 class OperandRepairs {
  public:
   void note(const RepairedMesh& repaired, double share) {

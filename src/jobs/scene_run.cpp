@@ -71,7 +71,7 @@ void passOn(SceneRun& run, std::size_t number, const io::Part& original, const E
   run.report.warnings = joined(std::move(run.report.warnings), {passedOn(original, reason.what())});
 }
 
-// What the result is made of, and what for.
+// The input of the result, and its purpose.
 struct SceneInput {
   const InspectedParts& originals;
   Held held;
@@ -106,7 +106,7 @@ class SurfaceRuns {
   }
 
  private:
-  // What is no surface does not keep others from being remeshed.
+  // A mesh that is no surface does not keep others from being remeshed.
   void remeshIfPossible(std::size_t surface, const Progress& progress) {
     try {
       one(surface, progress);

@@ -38,7 +38,7 @@ constexpr double kWithin = 2;
 // A smallest angle of every triangle takes edges between faces that are no longer than those of a
 // mesh of so many vertices.
 constexpr double kFewestOfAngle = 500;
-// What is no farther apart than this share of the diagonal nearly touches.
+// Surfaces no farther apart than this share of the diagonal nearly touch.
 constexpr double kNearlyTouching = 5e-3;
 
 // A level of detail shows the same as other parts, and of several places each has its own

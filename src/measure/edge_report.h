@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The edges of a mesh by kind: what a viewer draws of a mesh before it is remeshed.
+// The edges of a mesh by kind, for a viewer to draw before it is remeshed.
 #pragma once
 
 #include "base/report.h"

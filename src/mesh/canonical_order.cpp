@@ -54,7 +54,7 @@ std::vector<Index> verticesInOrder(const TriangleMesh& mesh) {
   return order;
 }
 
-// What is turned and put in order as one: a triangle, or both halves of a quad.
+// A unit that is turned and ordered as one: a triangle, or both halves of a quad.
 struct OrderedFace {
   std::array<Index, 4> corners;  // in the new order of vertices, the least first; kNone: no fourth
   Index group;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is wrong with a surface, decided exactly on its triangles. Repair and inspection share it.
+// The faults of a surface, decided exactly on its triangles. Repair and inspection share it.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a repair says about what it did: its report and its warnings.
+// The report and the warnings of a repair.
 #pragma once
 
 #include <vector>
@@ -21,10 +21,10 @@ void warnOfCrossings(RepairedMesh& result, const std::vector<Index>& crossings);
 // hiddenAt: the bodies that were removed.
 void warnOfHidden(RepairedMesh& result, std::vector<SizedPlace> hiddenAt);
 
-// What exact steps did, in this mode.
+// The result of exact steps, reported under this mode.
 RepairedMesh asRepaired(ExactRepair exact, const char* mode);
 
-// What a lattice did that was made by the rule.
+// The result of a lattice made by the rule.
 RepairedMesh asRepaired(Solid solid, const TriangleMesh& input, const SolidRule& rule);
 
 }  // namespace remesher

@@ -20,7 +20,7 @@ double wishedSpacing(const Extent& extent, const RemeshOptions& options);
 // The wished spacing, but fine enough to show parts, and as coarse as memory asks for.
 SolidRule ruleFor(const TriangleMesh& input, const RemeshOptions& options, InsideBy by);
 
-// What the repair takes that the options ask for. Approximate.
+// The time and memory of the repair that the options ask for. Approximate.
 RepairNeeds needsOf(const TriangleMesh& input, const RemeshOptions& options);
 
 // Throws OUT_OF_MEMORY for a repair that no memory of `most` bytes can hold; most: all addresses

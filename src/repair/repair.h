@@ -36,7 +36,7 @@ std::optional<RepairedMesh> exactBodies(const TriangleMesh& input);
 // A corner of each piece of the mesh that stays open when its cracks are closed.
 std::vector<Vec3> openPieces(const TriangleMesh& input);
 
-// Finds what is broken; open loops are in no particular order. Throws the Errors of buildMesh, and
+// Finds the faults; open loops are in no particular order. Throws the Errors of buildMesh, and
 // OUT_OF_MEMORY as above.
 FaultReport faultsOf(const TriangleMesh& input);
 

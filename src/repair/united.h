@@ -38,7 +38,7 @@ std::vector<Index> numbersAmong(std::span<const Index> list, std::span<const Ind
 // out. None if the triangles do not bound volumes, or if the work would be out of proportion.
 std::optional<United> arranged(const TriangleMesh& bodies, const Operands& operands);
 
-// What counts as inside: what a surface goes round counterclockwise, or either way.
+// The space that counts as inside: with positive winding numbers, or with any but 0.
 enum class Inside { Outwards, EitherWay };
 
 // The outside of the bodies, all of one operand. None as above, and if nothing is inside.

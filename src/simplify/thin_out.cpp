@@ -44,10 +44,10 @@ struct RingEdge {
   bool isOpen() const { return out + in == 1; }
 };
 
-// What a vertex is from beginning to end, since the topology stays.
+// The kind of a vertex, which never changes, since the topology stays.
 enum class Kind : char { Inner, OnBorder, Fixed };
 
-// What a vertex would go into, and what that costs.
+// The neighbour that a vertex would collapse into, and the cost of that.
 struct Going {
   Index into = kNone;
   float cost = 0;
@@ -265,7 +265,7 @@ class ThinningOut {
   }
 
   // Lists the cheapest vertices in slices, and those of a slice by their numbers: neighbours in
-  // memory are mostly neighbours on the surface, and what is far apart in memory takes long to get.
+  // memory are mostly neighbours on the surface, and distant memory takes long to get.
   void sortByCost() {
     // Floats that are not negative are in the order of their bits. The lowest ones are ignored.
     constexpr int kIgnored = 15;

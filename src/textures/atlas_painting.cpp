@@ -44,7 +44,7 @@ struct Atlas {
 // in two frames.
 const double kParted = std::cos(radians(15));
 
-// What an image holds: images with alpha or normals cannot be JPEG.
+// The content of an image: images with alpha or normals cannot be JPEG.
 enum class Content { Opaque, Alpha, Normals };
 
 class AtlasPainting {

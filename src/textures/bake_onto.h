@@ -12,7 +12,7 @@
 
 namespace remesher {
 
-// What is painted from, under the conventions of glTF.
+// The sources of a bake, under the conventions of glTF.
 struct BakeOriginals {
   std::vector<io::Part> originals;  // the same surface in the spaces of several parts
   std::vector<Index> originalOf;    // per part to paint the number of its original

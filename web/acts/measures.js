@@ -28,7 +28,7 @@ function treeIn(bytes) {
   }
 }
 
-/** Gives the purposes what they make their numbers of. @param {Page} page */
+/** Gives the purposes the facts that their numbers come from. @param {Page} page */
 export function tellPanel(page) {
   const { session: { model, inspection, isGltf }, surveying, stage, panel } = page;
   const { name, size } = page.surveying.scale;

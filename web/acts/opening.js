@@ -27,7 +27,7 @@ const largestAutomatic = 150_000;
 /** For larger models further runs, for a number that is enough, take too long. */
 const largestRaised = 50_000;
 
-/** What is known of the model, in words. @param {Page} page */
+/** The facts about the model, in words. @param {Page} page */
 export function showFacts({ session: { model, inspection, source } }) {
   if (!model || !inspection) return;
   byId('model-name', HTMLElement).textContent = model.name;

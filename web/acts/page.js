@@ -57,7 +57,7 @@ export class Page {
     return this.#state === 'idle';
   }
 
-  /** Says what is being done, where nobody knows how long it takes. @param {string} phase */
+  /** Names the present work, where nobody knows how long it takes. @param {string} phase */
   tell(phase) {
     if (this.#state === 'busy') showProgress({ phase, fraction: null });
   }

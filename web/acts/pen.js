@@ -35,7 +35,7 @@ export class Pen {
   #last = null;
   /** Whether the next place is the first of a stroke. */
   #isFirst = true;
-  /** What is still to be done, in order. */
+  /** The open tasks, in order. */
   #work = Promise.resolve();
 
   /** @param {Desk} page */

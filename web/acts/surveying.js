@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is shown on top of the surfaces: distances as colours; curves, borders and faults as lines;
+// The layers on top of the surfaces: distances as colours; curves, borders and faults as lines;
 // the triangle under the pointer. The core finds edges, the survey's worker the rest.
 import { RemeshError } from 'remesher';
 import { Box3, Vector3 } from 'three';

@@ -32,7 +32,7 @@ export const share = (value) => `${fixed(value, 1)} %`;
 /** @param {number} value in percent */
 export const wholePercent = (value) => `${fixed(value, 0)} %`;
 
-/** Percent that four digits after the point can show: what is less is rounding. */
+/** Percent that four digits after the point can show: smaller figures are rounding. */
 export const leastShown = 0.0001;
 
 /** Three significant digits, never in exponents: 0.0131 %, 90.6 %.

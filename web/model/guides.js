@@ -78,7 +78,7 @@ export function segmentsOf(strokes, kind) {
   }));
 }
 
-/** What the engine takes. @param {Stroke[]} strokes @param {Point} origin of the stage
+/** Strokes as the engine takes them. @param {Stroke[]} strokes @param {Point} origin of the stage
  * @returns {import('remesher').Guide[]} */
 export const guidesOf = (strokes, origin) => strokes.map((stroke) => ({ kind: stroke.kind,
   points: wholeOf(stroke).map((point) => point.map((x, k) => x + origin[k])) }));

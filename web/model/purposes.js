@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a model is remeshed for: each purpose stands for options, and has one number in the
+// The purposes of remeshing: each stands for options, and has one number in the
 // visitor's unit. Names and texts are purpose.ID and amount.ID in the texts.
 import { belonging, presets } from 'remesher/options';
 import { roundLength } from './units.js';
@@ -7,7 +7,7 @@ import { roundLength } from './units.js';
 /** @typedef {import('./address.js').Values} Values */
 /** @typedef {'asset' | 'print' | 'simulation' | 'quads'} Purpose */
 
-/** What is known of the model; diagonal and unit in the model's own units; unit: of its number;
+/** Facts about the model; diagonal and unit in the model's own units; unit: of its number;
  * exact: triangles from which a body of flat sides keeps its shape, 0 if that is not known;
  * isBaked: whether one of so many triangles gets new textures.
  * @typedef {{ triangles: number, diagonal: number, unit: number, exact: number,
@@ -67,7 +67,7 @@ export function rangeOf(purpose, subject) {
 
 const digits = 4;
 
-/** What a purpose's number means as an option. @param {Purpose} purpose @param {number} amount
+/** A purpose's number as an option. @param {Purpose} purpose @param {number} amount
  * @param {Subject} subject @returns {Values} */
 function targetOf(purpose, amount, { diagonal, unit }) {
   switch (purpose) {

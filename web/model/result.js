@@ -151,7 +151,7 @@ function convertWritten([first, ...resources], how) {
   return convertFile(first.bytes, { ...describe({ ...first, resources }), ...how });
 }
 
-/** What repair takes of some options. @param {RemeshOptions} options */
+/** Those of some options that repair has. @param {RemeshOptions} options */
 const ofRepair = (options) => Object.fromEntries(Object.entries(options).filter(([name]) =>
   repairNames.some((own) => own === name)));
 

@@ -75,7 +75,7 @@ export class Session {
     return { report, signal };
   }
 
-  /** What is broken in the model; null if it has nothing to check, or if that has no room. */
+  /** The model's faults; null if it has nothing to check, or if that has no room. */
   async faults() {
     const model = this.#opened();
     const signal = this.#stay.signal;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a first visit is told: three short hints, one after the other, each beside what it is about.
+// Hints for a first visit: three short ones, one after the other, each beside its control.
 // A hint goes away when it is read, or when the visitor does what it says.
 import { byId, element } from '../base/dom.js';
 import { switchSetting } from '../base/memory.js';

@@ -109,7 +109,7 @@ export class Panel {
   #form;
   #target = new TargetField();
   #doors;
-  /** What the options do not say: the purpose, and whether the model is only repaired.
+  /** The settings beside the options: the purpose, and whether the model is only repaired.
    * @type {Values} */
   #wish = {};
   /** @type {{ option: Option, control: Control }[]} */
@@ -351,7 +351,7 @@ export class Panel {
     this.#doors.forgetSubject();
   }
 
-  /** What is known of the model, of which the purposes make their numbers.
+  /** The facts about the model that the purposes make their numbers of.
    * @param {import('../model/purposes.js').Subject} subject isPaintable: whether new textures can
    *   be painted from it @param {{ ofAmount: string, ofModel: string }} units of lengths */
   setSubject(subject, { ofAmount, ofModel }) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shows what was repaired before remeshing: the mode, and the count of each change.
+// Shows the repairs before remeshing: the mode, and the count of each change.
 import { element } from '../base/dom.js';
 import { count, percent } from '../base/format.js';
 import { t, textIfAny } from '../base/i18n.js';

@@ -114,7 +114,7 @@ function note(warning, visitorOf) {
     && element('button', { type: 'button', className: 'link', onclick }, t('visit')));
 }
 
-/** Percent of the diagonal: what is farther away anyone sees. */
+/** Percent of the diagonal: anyone sees a larger distance. */
 const seenByAnyone = 0.5;
 
 /** Whether a result is nowhere away from the original as far as anyone sees.

@@ -31,7 +31,7 @@ function snippet(label, text, onCopy) {
     element('code', { tabIndex: 0 }, text));
 }
 
-/** What the command needs beside the model: the lines that were drawn on it.
+/** The files that the command needs beside the model: the lines drawn on it.
  * @param {{ name: string, lines: readonly import('remesher').Guide[] }} guides
  * @param {SavingActs} acts */
 const guidesNote = ({ name, lines }, { onFile }) =>

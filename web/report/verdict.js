@@ -26,7 +26,7 @@ import { distanceIn, lengthIn } from '../model/units.js';
 /** @typedef {{ kind: 'good' | 'bad' | 'plain', text: string,
  *   act?: { label: string, run: () => void } | null }} Line */
 
-/** Percent of the diagonal: what is farther away anyone sees. */
+/** Percent of the diagonal: anyone sees a larger distance. */
 const seenByAnyone = 0.5;
 /** A share of the diagonal that is rounding alone. */
 const nothing = 1e-6;

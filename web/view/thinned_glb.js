@@ -44,7 +44,7 @@ export function countIn({ nodes = [], meshes = [], accessors = [], extensionsUse
   return { all, places, isPlain };
 }
 
-/** Reads accessors, and collects what a smaller file holds. */
+/** Reads accessors, and collects the contents of a smaller file. */
 class Editor {
   /** @type {Uint8Array[]} */
   pieces = [];

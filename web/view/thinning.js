@@ -6,7 +6,7 @@ import { countIn } from './thinned_glb.js';
 
 /** @typedef {import('./thinned_glb.js').Thinned} Thinned */
 /** @typedef {import('./thinned_glb.js').Kept} Kept */
-/** What is shown. content: the visitor's file itself; isOwned: nobody else needs the bytes.
+/** The model to show. content: the visitor's file itself; isOwned: nobody else needs the bytes.
  * @typedef {{ bytes: Uint8Array, resources: import('../files/files.js').NamedBytes[],
  *   content?: Blob | Uint8Array, isOwned?: boolean }} Gltf */
 

@@ -18,7 +18,7 @@ import { RemeshError } from '../base/errors.js';
  */
 
 /**
- * What a remeshed mesh has for a pool.
+ * A remeshed mesh's data for a pool.
  * @typedef {object} PoolResult
  * @property {Uint32Array} vertices their numbers in the mesh, ascending
  * @property {Map<number, Uint32Array>} triangles by group, in numbers of the pool's own

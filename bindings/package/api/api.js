@@ -39,7 +39,7 @@ import {
 
 /**
  * @typedef {object} InspectOptions
- * @property {boolean} [faults] Whether to look for what is broken, and for what would mend it.
+ * @property {boolean} [faults] Whether to look for faults, and for the repair that would mend them.
  * @property {boolean} [edges] Whether to tell the edges by kind: of arrays, whose vertices have
  *   numbers.
  */
@@ -47,7 +47,7 @@ import {
 /**
  * @typedef {object} RepairResult
  * @property {Mesh} mesh Arrays of the types that were given.
- * @property {RepairReport} report What went in, what was mended, what came out.
+ * @property {RepairReport} report The input, the repairs, the output.
  */
 
 /**
@@ -56,7 +56,7 @@ import {
  * @property {Uint8Array} bytes The file.
  * @property {NamedBytes[]} files This file first, then those it refers to (a .bin, a .mtl) and
  *   those of levels of detail, by names that lead nowhere but into one folder.
- * @property {Warning[]} warnings What the result lacks.
+ * @property {Warning[]} warnings The faults of the result.
  * @property {import('../base/messages.js').Compression} [compression] If it was asked for.
  */
 
@@ -88,7 +88,7 @@ import {
  * @typedef {object} BooleanResult
  * @property {Mesh} mesh Arrays of the types of the first mesh; coordinates are doubles if either
  *   mesh has doubles.
- * @property {BooleanReport} report What went in, what was cut, what came out.
+ * @property {BooleanReport} report The input, the cuts, the output.
  */
 
 /**
@@ -112,7 +112,7 @@ import {
  * @typedef {object} BakeResult
  * @property {Mesh} mesh The low mesh with texture coordinates, normals and tangents.
  * @property {{ normal?: BakedMap, baseColor?: BakedMap, surface?: BakedMap, emissive?: BakedMap }}
- *   maps What was painted; `surface` is occlusion, roughness and metal.
+ *   maps The baked maps; `surface` is occlusion, roughness and metal.
  * @property {AtlasReport} report What went in and what came out.
  */
 

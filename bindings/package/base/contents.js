@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What a file is by its bytes, where that must be known before the core, which decides it in the
-// same way (src/io/contents.h), sees the file: files are called by wrong names.
+// The format of a file by its bytes, where it must be known before the core sees the file: names
+// may be wrong. The core decides it in the same way (src/io/contents.h).
 
-/** So many bytes at the beginning of a file say what it is. */
+/** So many bytes at the beginning of a file show its format. */
 export const bytesLooked = 65536;
 
 const beginOf = (/** @type {Uint8Array} */ bytes) =>

@@ -55,7 +55,7 @@
 /** @typedef {{ engine: EngineName, module: WebAssembly.Module }} Loaded */
 
 /**
- * What an engine is asked to do.
+ * A request to an engine.
  * @typedef {{ kind: 'remesh', parts: PlacedMesh[], options: Record<string, unknown> }
  *   | { kind: 'remeshFile', file: FileRequest, options: Record<string, unknown> }
  *   | { kind: 'repair', parts: PlacedMesh[], options: Record<string, unknown> }
@@ -97,7 +97,7 @@
 
 /**
  * @typedef {object} ProgressEvent
- * @property {string} phase What the run is doing.
+ * @property {string} phase The present step of the run.
  * @property {number} fraction How far the whole run is, from 0 to 1.
  */
 
@@ -193,7 +193,7 @@
  */
 
 /**
- * What a caller should know although the run did not fail.
+ * A message to the caller of a run that did not fail.
  * @typedef {object} Warning
  * @property {string} code For programs.
  * @property {string} message For people.
@@ -234,7 +234,7 @@
  * @property {Timings} timings How long the steps took.
  * @property {Memory} memory How much memory the run took.
  * @property {Phase[]} phases All phases of the run, in order.
- * @property {Warning[]} warnings What was mended or left out.
+ * @property {Warning[]} warnings Repairs and losses while reading.
  * @property {Texture[]} [textures] The images of a glTF file: of what was inspected, or of the
  *   result.
  * @property {FaultSummary} [faults] What is broken, if the inspection was asked for it and memory
@@ -265,7 +265,7 @@
  */
 
 /**
- * What is broken in a mesh, and what would repair it.
+ * The faults of a mesh, and the repair that would mend them.
  * @typedef {object} FaultSummary
  * @property {number[]} openLoops The lengths of open boundaries, in percent of the bounding box's
  *   diagonal, as `holesUpTo` takes them; the longest first.
@@ -274,12 +274,12 @@
  * @property {number} insideOut Closed pieces that face inwards.
  * @property {'off' | 'holes' | 'solid' | 'wrap'} repair The repair that `auto` would choose; `off`:
  *   nothing is broken, or there are only sheets, which it leaves as they are.
- * @property {RepairNeeds} needs What that repair takes, before it begins. Approximate.
+ * @property {RepairNeeds} needs The needs of that repair, before it begins. Approximate.
  * @property {FaultPlaces} places Where it is broken.
  */
 
 /**
- * What a repair takes.
+ * The time and memory that a repair takes.
  * @typedef {object} RepairNeeds
  * @property {number} bytes The most memory that it holds.
  * @property {number} seconds The time of one core.
@@ -329,7 +329,7 @@
  */
 
 /**
- * What was left out on request.
+ * The pieces left out on request.
  * @typedef {object} DropSummary
  * @property {number} pieces Pieces smaller than asked for.
  * @property {number} hidden Triangles that nobody sees from outside.
@@ -339,7 +339,7 @@
  */
 
 /**
- * What repair did.
+ * The outcome of a repair.
  * @typedef {object} RepairSummary
  * @property {string} mode How the mesh was repaired.
  * @property {'asked' | 'sound' | 'closed' | 'united' | 'made' | 'sheets' | 'partly' | 'enclosed'
@@ -372,7 +372,7 @@
 /**
  * How a Boolean came about.
  * @typedef {object} BooleanSummary
- * @property {BooleanOperation} operation What was asked for.
+ * @property {BooleanOperation} operation The operation asked for.
  * @property {number} cut Triangles of both operands that met others.
  * @property {number} selfIntersections Triangles of the result that meet others, by rounding.
  */
@@ -454,8 +454,8 @@
 /**
  * A run of a file in a few figures, before and after. `remesher/card` has it in words.
  * @typedef {object} Card
- * @property {CardSide} before What was read.
- * @property {CardSide} after What was written; of levels of detail the finest, and the bytes of
+ * @property {CardSide} before The model as read.
+ * @property {CardSide} after The model as written; of levels of detail the finest, and the bytes of
  *   all.
  * @property {{ percent: number, length: number, unit?: string }} [distance] The largest distance
  *   between them, in percent of the original's diagonal and in the model's unit; not known after a

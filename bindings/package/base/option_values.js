@@ -24,7 +24,7 @@ const mostLods = 16;
 /** @param {Option} option @param {unknown} value */
 export const isLength = (option, value) => takesLength(option) && lengthFrom(value) !== undefined;
 
-/** What an option's value must be, in words, without its unit. @param {Option} option */
+/** The values that an option allows, in words, without their unit. @param {Option} option */
 export function rangeInWords(option) {
   if (option.choices) return `one of ${option.choices.join(', ')}`;
   if (option.type === 'boolean') return 'true or false';

@@ -34,7 +34,7 @@ export { isWorthBaking } from './worth_baking.js';
  * @property {'integer' | 'number' | 'choice' | 'boolean' | 'shares' | 'floats' | 'pairs' |
  *   'indices' | 'guides'} type
  *   The type of its value.
- * @property {string} help What it is for.
+ * @property {string} help Its purpose.
  * @property {string} [unit] The unit of its value.
  * @property {number} [min] The smallest value allowed.
  * @property {number} [max] The largest value allowed.
@@ -322,7 +322,7 @@ function editDistance(a, b) {
   return row[b.length];
 }
 
-/** What stands behind a flag in our sentences: a value of the option, or other words.
+/** The word after a flag in our sentences: a value of the option, or other words.
  * @param {Option} option @param {string} word */
 function isValueOf(option, word) {
   if (option.choices) return option.choices.includes(word);

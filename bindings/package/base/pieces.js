@@ -20,7 +20,7 @@ function copy(pieces, from, into) {
   }
 }
 
-/** The way to the blocks of what is kept in pieces.
+/** The way to the blocks of bytes kept in pieces.
  * @param {{ pieces: readonly Uint8Array[], size: number }} handle
  * @returns {import('./open_file.js').ReadBlock} */
 export const blocksOfPieces = ({ pieces, size }) => (at, into) => {

@@ -8,7 +8,7 @@
  * A row of the table.
  * @typedef {object} Preset
  * @property {PresetName} name What `preset` is set to.
- * @property {string} help What it is for.
+ * @property {string} help Its purpose.
  * @property {Readonly<Record<string, string | number | boolean>>} values The options that it stands
  *   for, by their names.
  */

@@ -11,7 +11,7 @@ import { legible } from '../base/legible.js';
 import { reason } from '../files/reasons.js';
 
 /**
- * What the user named, and where its result goes. With an error nothing can be read there.
+ * A path that the user named, and the place of its result. With an error nothing can be read there.
  * @typedef {{ input: string, output: string, error?: RemeshError }} Step
  */
 

@@ -197,7 +197,7 @@ function atlasInWords({ size, charts, given, coverage, stretch, worstStretch, ca
     + `  stretch ${stretch.toFixed(2)} in the mean, ${worstStretch.toFixed(2)} at worst${baked}`;
 }
 
-/** Percent of the diagonal: what is farther away anyone sees. */
+/** Percent of the diagonal: anyone sees a larger distance. */
 const seenByAnyone = 0.5;
 
 /** What keeps more of the shape, where some of it was lost. @param {any} report */

@@ -15,7 +15,7 @@ import { openContainer, packGlb } from './gltf_container.js';
 
 const namesGltf = (/** @type {string} */ name) => /\.gl(b|tf)$/i.test(name);
 
-/** Refuses to compress what is no glTF. @param {string} output its name */
+/** Refuses to compress other formats than glTF. @param {string} output its name */
 export function requireCompressible(output) {
   if (namesGltf(output)) return;
   throw new RemeshError('INVALID_OPTION',
@@ -68,7 +68,7 @@ const lengthOf = (/** @type {NamedBytes[]} */ files) =>
   files.reduce((sum, { bytes }) => sum + bytes.length, 0);
 
 /**
- * The files with their glTF compressed, and what that did.
+ * The files with their glTF compressed, and the effect of that.
  * @param {NamedBytes[]} files
  * @param {'meshopt' | 'draco'} method
  * @returns {Promise<{ files: NamedBytes[], compression: Compression }>}

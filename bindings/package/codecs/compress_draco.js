@@ -124,7 +124,7 @@ class Packer {
   }
 
   /**
-   * Adds an attribute of a primitive; what is not quantized stays as it is.
+   * Adds an attribute of a primitive, quantized or as it is.
    * @param {any} builder @param {any} mesh @param {any} encoder
    * @param {{ semantic: string, number: number, rows: number[] }} attribute
    * @returns {number} Draco's number of it

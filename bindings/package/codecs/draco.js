@@ -21,8 +21,8 @@ const unsignedInt = 5125;
 const float = 5126;
 
 /**
- * Copies out what the decoder writes into its own memory. If the sizes do not agree it writes
- * nothing, and what was there before is not ours.
+ * Copies out the values that the decoder writes into its own memory. If the sizes do not agree it
+ * writes nothing, and the bytes there are not ours.
  * @param {any} draco
  * @param {number} byteLength
  * @param {(pointer: number) => boolean} fill

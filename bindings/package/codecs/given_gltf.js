@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a preset asks of the glTF file that was given: how it is compressed, and whether new
+// Facts about the given glTF file that presets need: how it is compressed, and whether new
 // textures serve it better than its own.
 import { isWorthBaking } from '../base/worth_baking.js';
 import { openContainer } from './gltf_container.js';

@@ -21,7 +21,7 @@ function unread(file, why) {
     'Give guides as lines of an OBJ file, or as line primitives of a glTF file.');
 }
 
-/** What the name says of the line; undefined: nothing. @param {string} name */
+/** The kind that a line's name gives; undefined: none. @param {string} name */
 function kindIn(name) {
   const [word] = /direction|loop/i.exec(name) ?? [];
   return /** @type {'direction' | 'loop' | undefined} */ (word?.toLowerCase());

@@ -195,7 +195,7 @@ export class Drafts {
     renameSync(this.#between.path, this.#between.place);
   }
 
-  /** Removes all drafts, and puts back what was there. Safe to repeat. */
+  /** Removes all drafts, and puts back the files of before. Safe to repeat. */
   discard() {
     for (const { place, path } of this.#kept) {
       renameSync(path, place);

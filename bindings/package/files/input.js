@@ -42,7 +42,7 @@ async function pieceOf(handle) {
 }
 
 /**
- * What comes through a pipe, to its end.
+ * The bytes that come through a pipe, to its end.
  * @param {import('node:fs/promises').FileHandle} handle
  * @param {string} path
  */

@@ -40,7 +40,7 @@ function lookAt(path) {
   }
 }
 
-/** A link would be replaced, and what it means is not there. @param {string} path */
+/** A link would be replaced, and its target is not there. @param {string} path */
 function refuseLostLink(path) {
   if (lstatSync(path, { throwIfNoEntry: false })?.isSymbolicLink()) {
     throw unwritable(path, 'it is a link that leads nowhere', 'Remove the link.');

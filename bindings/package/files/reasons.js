@@ -30,7 +30,7 @@ export function reason(error) {
   return known.get(codeOf(error)) ?? legible(error);
 }
 
-/** What a thing is that is no plain file. @param {import('node:fs').Stats} stats */
+/** The kind of a path that is no plain file. @param {import('node:fs').Stats} stats */
 export function kindOf(stats) {
   if (stats.isDirectory()) return 'a folder';
   if (stats.isFIFO()) return 'a pipe';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reads what the first bytes of an image say about it, without decoding anything.
+// Reads the header of an image, without decoding anything.
 
 /**
  * @typedef {object} ImageHeader

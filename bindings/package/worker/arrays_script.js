@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: MIT
-// What the small engine needs of JavaScript.
+// The JavaScript that the small engine calls.
 
 export { default as createInstance } from '../remesher_arrays.mjs';

@@ -99,7 +99,7 @@ function errorOf({ code, message, hint }, job) {
 /** @typedef {import('../base/open_file.js').ReadBlock} ReadBlock */
 
 /**
- * What an engine has of its platform.
+ * The platform's functions for an engine.
  * @typedef {import('../textures/image_codecs.js').CodecSource & { blocksOf?: BlocksOf }}
  *   EnginePlatform
  */
@@ -282,14 +282,14 @@ async function compressionOf(job) {
   return (await import('../codecs/given_gltf.js')).compressionIn(job.file.bytes);
 }
 
-/** Refuses slabs of what is no file. @param {Job} job */
+/** Refuses slabs of arrays. @param {Job} job */
 function requireFileForSlabs(job) {
   if (!('options' in job) || job.options.slabs === undefined || 'file' in job) return;
-  throw new RemeshError('INVALID_OPTION', '--slabs is of files, and arrays are none.',
+  throw new RemeshError('INVALID_OPTION', 'slabs are for files, not for arrays.',
     'Give the file to remeshFile.');
 }
 
-/** Refuses to compress what is no glTF file. @param {Job} job */
+/** Refuses to compress files of other formats than glTF. @param {Job} job */
 async function requireFile(job) {
   if ('file' in job) {
     (await import('../codecs/compress.js')).requireCompressible(job.file.output);

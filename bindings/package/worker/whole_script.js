@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the whole engine needs of JavaScript.
+// The JavaScript that the whole engine calls.
 
 import { cardOf } from '../base/card.js';
 import { decompress } from '../codecs/decompress.js';
@@ -23,7 +23,7 @@ export async function opened(job) {
 }
 
 /**
- * What is known of the files when they are written: the file that was given, the same neither
+ * The facts about the files when they are written: the file that was given, the same neither
  * packed nor compressed, and what was asked of the one that is written.
  * @typedef {{ isCarded: boolean, packed?: FileRequest, opened?: FileRequest,
  *   compress?: 'meshopt' | 'draco', units?: unknown }} Closing

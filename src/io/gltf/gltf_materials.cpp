@@ -168,7 +168,7 @@ void dropLevels(Json& material) {
   if (material["extensions"].empty()) material.erase("extensions");
 }
 
-// What a material of another file says beside its maps and without extensions that tell of more
+// The fields of a material of another file beside its maps and without extensions that tell of more
 // than how its surface is lit.
 Json plainRestOf(const std::string& rest) {
   const Json all = Json::parse(rest, nullptr, false);

@@ -16,7 +16,7 @@ void forEachAccessorNumber(Json& tree, const NumberVisitor& visit);
 void forEachBufferViewNumber(Json& tree, const NumberVisitor& visit);
 void forEachBufferViewNumberOf(Json& accessor, const NumberVisitor& visit);
 
-// What a number names: accessors and buffer views, or materials, textures and images.
+// The targets of a number: accessors and buffer views, or materials, textures and images.
 enum class Named { Data, Look };
 
 // Whether an extension below the value holds an integer that may name one of these unnoticed.

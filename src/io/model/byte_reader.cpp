@@ -75,11 +75,12 @@ File whole(const File& file) {
   constexpr std::uint64_t kMost = std::numeric_limits<std::ptrdiff_t>::max();
   const std::uint64_t size = fileSize(file);
   if (size > kMost)
-    throw Error(ErrorCode::OutOfMemory,
-                legible(file.name) + " has " + std::to_string(size) +
-                    " bytes; files of its format are read whole, up to " + std::to_string(kMost) +
-                    " bytes.",
-                "OBJ and binary PLY and STL are read in blocks: convert it, or give it in parts.");
+    throw Error(
+        ErrorCode::OutOfMemory,
+        legible(file.name) + " has " + std::to_string(size) +
+            " bytes; files of its format are read whole, up to " + std::to_string(kMost) +
+            " bytes.",
+        "OBJ, GLB and binary PLY and STL are read in blocks: convert it, or give it in parts.");
   return beginOf(file, static_cast<std::size_t>(size));
 }
 

@@ -37,7 +37,7 @@ void appendUtf8(std::string& text, std::uint32_t code) {
   }
 }
 
-// What an entity, without & and ;, stands for; none if it is unknown.
+// The character that an entity, without & and ;, stands for; none if it is unknown.
 std::optional<std::string> entity(std::string_view name) {
   constexpr std::pair<std::string_view, char> kNamed[] = {
       {"amp", '&'}, {"lt", '<'}, {"gt", '>'}, {"quot", '"'}, {"apos", '\''}};

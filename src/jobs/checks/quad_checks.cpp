@@ -47,7 +47,7 @@ Border borderOf(const TriangleMesh& mesh) {
   return border;
 }
 
-// What is off in one part.
+// The faults of one part.
 struct OffBorder {
   std::size_t corners = 0, closed = 0;
   std::optional<Vec3> first;

@@ -20,7 +20,7 @@ void requireRoomToRepair(const std::vector<io::Part>& parts, double addresses = 
 // that is painted from, and of the other, which may have to be unwrapped.
 inline constexpr double kCombineBytes = 600, kBakeBytes = 350, kUnwrapBytes = 600;
 
-// Throws OUT_OF_MEMORY if two models have no room to do with them what the verb says.
+// Throws OUT_OF_MEMORY if there is no room for the work on two models that the verb names.
 void requireRoomForTwo(const RoomNeeds& needs, const std::string& verb,
                        double addresses = kAddresses);
 

@@ -135,7 +135,7 @@ std::string byNumber(bool isReason, double enough) {
          std::to_string(std::llround(enough)) + " would.";
 }
 
-// What the input itself leaves no choice about.
+// The limits that the input itself breaks.
 std::string byCurves(const UnmetCount& unmet, std::size_t missed, const std::string& what) {
   const std::size_t held = std::min(unmet.byCurves, missed);
   if (held == 0) return "";

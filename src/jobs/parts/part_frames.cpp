@@ -20,7 +20,7 @@ constexpr int kUsual = 30;
 // The largest exponent whose power of two and inverse are both normal doubles.
 constexpr int kFarthest = 1022;
 
-// What is farther from the origin than this many times its diagonal is moved there.
+// A part farther from the origin than this many times its diagonal is moved there.
 constexpr double kFar = 4;
 
 // The points' box at half its size: the full size of the largest doubles would be infinite.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The facets of a surface: what is flat, however small. See flat_regions.h for those that are
+// The facets of a surface: its flat regions, however small. See flat_regions.h for those that are
 // walls.
 #pragma once
 

@@ -30,7 +30,7 @@ double missingAngle(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
 // least cos φ times as wide.
 VertexData<char> mayMiss(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions, double angle);
 
-// What is flat may be off by so much, model units: the rounding of six digits, but always a small
+// The tolerance of flatness, model units: the rounding of six digits, but always a small
 // share of the edges, so that a finely divided round surface is not flat. More where some edges are
 // hardly farther off and all others far.
 double flatTolerance(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions);

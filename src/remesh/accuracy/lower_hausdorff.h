@@ -9,7 +9,7 @@
 namespace remesher {
 
 // Vertices on curves slide along them, corners stay, and edges of the farthest triangles may flip.
-// No step makes a bad triangle, or raises the largest distance around what it changes.
+// No step makes a bad triangle, or raises the largest distance around its change.
 void lowerHausdorff(Run& run);
 
 }  // namespace remesher

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The smallest angle around a vertex, of triangles or of quads: what a move must keep.
+// The smallest angle around a vertex, of triangles or of quads: a move must keep it.
 #pragma once
 
 #include "remesh/steps/run.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the report leaves for the future [report, Conclusion]: where the original itself breaks the
+// The report's future work [report, Conclusion]: where the original itself breaks the
 // fidelity criteria, every operation is refused and triangles stay poor, as on the face model's
 // nose.
 #pragma once

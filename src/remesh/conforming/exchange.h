@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Refinement halves what is too long, so that neighboring lines end up with up to twice as many
-// vertices as others like them. Vertices that the angles hardly miss are moved to where they are
-// missed most.
+// Refinement halves edges that are too long, so that neighboring lines end up with up to twice as
+// many vertices as others like them. Vertices that the angles hardly miss are moved to where they
+// are missed most.
 #pragma once
 
 #include <memory>

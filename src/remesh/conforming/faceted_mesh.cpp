@@ -158,7 +158,7 @@ void FacetedMesh::flip(Halfedge h) {
   EulerOperators(mesh_).flip(h);
 }
 
-// Makes room for what an operator has added.
+// Makes room for the elements that an operator has added.
 void FacetedMesh::grow() {
   const std::size_t vertices = mesh_.vertexCapacity();
   positions_.resize(vertices, Vec3::Zero());

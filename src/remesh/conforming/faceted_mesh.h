@@ -21,10 +21,11 @@ namespace remesher {
 // inside a facet it is free.
 enum class FacetRole : char { Free, OnLine, Corner };
 
-// Of edges, in model units: how far they may be from the original where facets are unrolled (with 0
-// none are), and from which length on they are divided first.
+// Limits of edges, in model units.
 struct FacetLimits {
-  double depth = 0, longest = kInfinity;
+  double depth = 0;  // largest distance from the original through unrolled facets; 0: none
+                     // are unrolled
+  double longest = kInfinity;  // longer edges are divided first
 };
 
 class FacetedMesh {

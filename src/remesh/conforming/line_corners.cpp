@@ -39,7 +39,7 @@ class LineTracer {
     }
     for (const Vertex corner : corners)
       for (const Vertex next : neighbors_[corner]) walk(corner, next);
-    // What is left are loops without a corner.
+    // The rest are loops without a corner.
     for (Index i = 0; i < neighbors_.size(); ++i) {
       const Vertex v(i);
       if (neighbors_[v].empty() || isCorner_[v] || isWalked_[v]) continue;

@@ -104,7 +104,7 @@ class FacetRefinement {
     for (const Face f : changed) enter(f);
   }
 
-  // What is met on the straight way from the middle of a triangle to a place: the triangle there,
+  // The end of the straight way from the middle of a triangle to a place: the triangle there,
   // or a line before it.
   struct Met {
     Face face;
@@ -125,7 +125,7 @@ class FacetRefinement {
       if (!out) return {f, {}};
       if (mesh_.isLine(out)) return {{}, out};
       const Halfedge beyond = m_.twin(out);
-      if (!beyond) return {f, {}};  // the border of what is too narrow to have a line
+      if (!beyond) return {f, {}};  // the border of a facet too narrow to have a line
       f = m_.face(beyond);
     }
     return {f, {}};

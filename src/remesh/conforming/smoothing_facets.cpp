@@ -26,7 +26,7 @@ constexpr double kAngleError = 1e-7;
 // The shares of a way that are tried where its end is too far from the original.
 constexpr std::array<double, 3> kSharesOfWay = {1, 0.5, 0.25};
 
-// First triangles become round, which also draws apart what is needles; then the smallest angles
+// First triangles become round, which also widens needles; then the smallest angles
 // become as wide as possible on average.
 enum class Aim { Round, Wide };
 

@@ -3,7 +3,7 @@
 // on connectivity and on the vertices' kinds, computes the new place and describes the change in
 // `change`. It returns whether there is a proposal. The mesh is not modified.
 //
-// What may happen to which kind of vertex:
+// The operators that may touch each kind of vertex:
 //             interior          curve                          corner
 //   relocate  on the surface    along its curve                never
 //   collapse  into any          along a curve edge, into       never; takes the other end in

@@ -59,7 +59,7 @@ constexpr std::size_t kMostClosed = 6;
 constexpr std::size_t kMostFinished = 3;
 constexpr double kHardlyWorse = 1.05, kSoundSine = 0.45;
 
-// A connected part, and what its map is made on.
+// A connected part, and the mesh that its map is made on.
 struct Domain {
   const WorkingMesh& part;
   const Simpler& simpler;
@@ -107,7 +107,7 @@ double countError(double count, double wanted) {
   return off > kCountTolerance ? kTooMany * off : std::abs(off);
 }
 
-// What a result lacks: its faults, and that vertices are to be taken out or added.
+// The cost of a result: its faults, and vertices to be taken out or added.
 double costOf(const Extracted& made, double wanted) {
   const double count = double(made.quads.vertices.size()), most = (1 + kCountTolerance) * wanted;
   return made.faults + std::max(0.0, count - most) / kTooMany + countError(count, wanted);
@@ -328,7 +328,8 @@ QuadMesh quadsOf(const Domain& domain, double vertices, SizeMaker& sizesOn) {
     fires("quads: more singular vertices than asked for");
     return {};
   }
-  // What is opened again is unsound at every scale, and mending it takes a second: one map must do.
+  // Loops that are opened again are unsound at every scale, and mending them takes a second: one
+  // map must do.
   const bool isTorn = closed.mesh().faceCount() > part.mesh().faceCount();
   std::optional<Extracted> found = searchScale(domain, maker, vertices, isTorn ? 1 : kSteps / 2);
   // Where curves are hardly farther apart than sides are long, larger quads have no room. A number

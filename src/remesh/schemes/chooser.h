@@ -46,7 +46,7 @@ enum class Candidate {
   Input,     // the mesh as it was given
 };
 
-// A fact is answered by whoever has the candidates; what its answer needs is made on first use.
+// A fact is answered by the owner of the candidates, which are made on first use.
 enum class Fact {
   Always,
   // About the request.

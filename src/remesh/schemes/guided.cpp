@@ -23,7 +23,7 @@ namespace {
 // In sides of quads: the steps along a guide; how near to a vertex a guide goes through it; how
 // near to a guide the ends of sides that follow it are.
 constexpr double kGuideStep = 1.0 / 6, kThrough = 0.05, kFollowed = 0.1;
-// What is missing of a guide's length is less than this share: less than any side.
+// Less than this share of a guide's length is missing: less than any side.
 constexpr double kWholly = 0.999;
 
 // The divided mesh with the input's attributes at the same places.

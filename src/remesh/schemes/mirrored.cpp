@@ -29,7 +29,7 @@ namespace {
 // another number may not: numbers that are as good are tried, then some that are said to be missed.
 constexpr double kForcedShares[] = {1, 0.99, 1.01, 0.98, 1.02, 0.97, 1.03};
 
-// What the caller painted, marked or keeps may lie on one side only.
+// Density, marks or kept triangles of the caller may lie on one side only.
 std::string oneSided(const RemeshOptions& options) {
   if (!options.density.empty()) return "density";
   if (!options.featureEdges.empty()) return "featureEdges";

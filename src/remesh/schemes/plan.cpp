@@ -101,8 +101,8 @@ struct CurveNeeds {
 };
 
 // The corners of flat regions must leave vertices for the rest; a surface that is possible without
-// these corners is never refused. What repair makes is not refused at all: where bodies are united,
-// many short curves meet, and only those that longer edges can follow become curves.
+// these corners is never refused. A repaired surface is not refused at all: where bodies are
+// united, many short curves meet, and only those that longer edges can follow become curves.
 CurveChoice chooseWithFlats(const BuiltMesh& built, const TriangleMesh& input,
                             const RemeshOptions& options, const CurveNeeds& needs) {
   // One corner to so many vertices; the number that a length gives is known later, and may be a

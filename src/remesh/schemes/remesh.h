@@ -32,7 +32,7 @@ struct RemeshOutcome {
   Chosen chosen = {};         // the rule by which this mesh was taken
   std::size_t quadParts = 0;  // connected parts of quads
   std::vector<PairedPart> paired = {};
-  Unmet unmet = {};  // of what was wanted of edges and triangles
+  Unmet unmet = {};  // limits of edges and triangles that are not kept
 };
 
 // Throws Error as buildMesh does, and NO_TRIANGLES, INVALID_OPTION, TARGET_TOO_SMALL,

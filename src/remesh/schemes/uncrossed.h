@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What makes the result of an original that intersects itself nowhere, if it must not either.
+// Keeps the result free of self-intersections where the original has none and it must have none.
 #pragma once
 
 #include <memory>

@@ -15,7 +15,7 @@
 
 namespace remesher {
 
-// What the proposal at hand gains; if that is no more than `least`, or the proposal must not be
+// The gain of the proposal at hand; if that is no more than `least`, or the proposal must not be
 // carried out, anything up to `least`.
 using Objective = std::function<double(double least)>;
 
@@ -25,7 +25,7 @@ struct BestChange {
   LocalChange change = {};
 };
 
-// What may be proposed at an edge. Collapse: to where its ends meet best, either way; CollapseInto:
+// The proposals at an edge. Collapse: to where its ends meet best, either way; CollapseInto:
 // into an end that stays as it is; Unite: the same, whatever curves lie there.
 enum class EdgeMove { Flip, Split, Collapse, CollapseInto, Unite };
 

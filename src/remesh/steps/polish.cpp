@@ -34,7 +34,7 @@ constexpr double kByProjecting = radians(1);  // angles seldom grow by more
 // wall's, and larger steps would cut across its rims.
 constexpr double kMostBesideCurves = 0.25;
 
-// What a change must keep: the rule, and the largest shift of the surface in model units.
+// The limits of a change: the rule, and the largest shift of the surface in model units.
 struct Limits {
   FidelityRule rule;
   double shift;

@@ -21,7 +21,7 @@ enum class Boundaries { Even, Staggered };
 
 class OriginalTree;
 
-// What is asked of the steps. Whoever calls several steps sets it before them; a step reads it.
+// The request to the steps. The caller of several steps sets it before them; a step reads it.
 struct Asked {
   FidelityRule rule;
   Effort effort = kUsual;
@@ -33,7 +33,7 @@ struct Asked {
 
 // What there is of the original besides the surface that the mesh lies on.
 struct Grounds {
-  const Proxy* proxy = nullptr;    // what the mesh lies on until it is reprojected, if there is one
+  const Proxy* proxy = nullptr;    // the surface of the mesh until it is reprojected, or null
   std::optional<Thinned> thinned;  // the proxy that the mesh was reprojected from, if any
   OriginalTree* tree = nullptr;    // of the original, if the caller wants it afterwards
 };
@@ -42,7 +42,7 @@ struct Grounds {
 struct Scratch {
   LocalChange change;  // the proposal
   Star star;
-  Vertex result;  // what the last change made, moved or kept; none after a flip
+  Vertex result;  // the vertex that the last change made, moved or kept; none after a flip
 };
 
 // The mesh that is worked on, with all that steps need to work on it.

@@ -29,7 +29,7 @@ constexpr std::size_t kLooksPerTriangle = 4;
 constexpr double kMostMoved = 1;
 // If more than one vertex in so many is new, flips follow.
 constexpr std::size_t kManySplits = 20;
-// What an angle that nobody asked for weighs: lengths are not to be kept by slivers.
+// The weight of angles where no limit of them is asked for: lengths are not to be kept by slivers.
 constexpr double kUnasked = 0.25;
 // With a number of vertices: the share of triangles not as wanted from which on it is the number.
 constexpr double kFarShare = 0.2;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Edges no shorter and no longer than wanted, and no smaller angles, wherever the surface allows
-// it. What the other steps aim at on average becomes a limit for every edge and triangle here.
+// it. The other steps aim at averages; these are limits for every edge and triangle.
 #pragma once
 
 #include "base/unmet.h"
@@ -8,7 +8,7 @@
 
 namespace remesher {
 
-// What is wanted of every edge and triangle.
+// The limits of every edge and triangle.
 struct WantedLimits {
   double shortest = 0, longest = kInfinity;  // edge lengths, model units
   double angle = 0;                          // radians

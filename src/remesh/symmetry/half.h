@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cuts off what lies behind planes, so that a half, a quarter or an eighth of a mesh is left.
+// Cuts off the side behind planes, so that a half, a quarter or an eighth of a mesh is left.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ struct Half {
 // Triangles in a plane: with them there is no half, or they are left out.
 enum class InPlane { Refused, LeftOut };
 
-// What lies in front of all planes; none if nothing does.
+// The part in front of all planes; none if there is none.
 std::optional<Half> inFrontOf(const Mirrors& mirrors, const TriangleMesh& whole,
                               InPlane inPlane = InPlane::Refused);
 

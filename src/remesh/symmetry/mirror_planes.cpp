@@ -177,7 +177,7 @@ class PlaneSearch {
 
   bool isMirror(const MirrorPlane& plane) {
     if (!tree_) tree_.emplace(mesh_.positions, mesh_.indices);
-    // Most of what is no mirror shows in a few places.
+    // Most planes that do not mirror the surface fail in a few places.
     const auto few = std::size_t(std::sqrt(double(mesh_.triangleCount())));
     for (const std::size_t stride : {few, std::size_t{1}}) {
       DistanceSampler sampler(*tree_);

@@ -12,7 +12,7 @@ namespace remesher {
 
 namespace {
 
-// What is nearer to a plane than this share of what counts as near lies on it: a guide along a
+// Points nearer to a plane than this share of its slack lie on it: a guide along a
 // plane is not cut into pieces by rounding.
 constexpr double kOnPlane = 0.05;
 // A guide that is nowhere farther from a plane than this is left out: sides of quads lie on the

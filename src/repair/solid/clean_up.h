@@ -11,7 +11,7 @@ namespace remesher {
 
 struct CleaningRule {
   double spacing;            // of the lattice
-  std::vector<Index> kinds;  // per triangle: what it shows; borders between kinds stay in place
+  std::vector<Index> kinds;  // per triangle: its chart; borders between kinds stay in place
 };
 
 // Collapses points into neighbours, which do not move, as long as all original planes remain near

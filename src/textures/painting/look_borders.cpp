@@ -22,7 +22,7 @@ constexpr double kLowest = 1.5;
 // Places along an edge.
 constexpr std::array<double, 3> kPlaces = {0.2, 0.5, 0.8};
 
-// What is visible at a place, in levels about as bytes have them.
+// The visible values at a place, in levels about as bytes have them.
 using Shown = Eigen::Array<float, 8, 1>;
 using Looks = std::array<Shown, kPlaces.size()>;
 
@@ -120,7 +120,7 @@ class Borders {
     return finders_[latest_];
   }
 
-  // What is visible at this many texels from a corner's edge.
+  // The visible values at this many texels from a corner's edge.
   Shown shownAt(Index h, double along, double texels) {
     SideFinder& finder = finderFor(h / 3);
     const double in = texels * texel_ * length(h) / twiceArea(h);

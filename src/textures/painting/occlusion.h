@@ -13,7 +13,7 @@
 
 namespace remesher {
 
-// Rays end after this share of the diagonal: what is farther away, such as the walls of a room,
+// Rays end after this share of the diagonal: surfaces farther away, such as the walls of a room,
 // darkens nothing.
 inline constexpr double kOcclusionReach = 0.25;
 

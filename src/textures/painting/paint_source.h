@@ -39,7 +39,7 @@ InputPlace middleOf(std::span<const InputPlace> places);
 
 class PaintSource {
  public:
-  // What the input refers to must outlive the object.
+  // The objects that the input refers to must outlive this one.
   explicit PaintSource(SourceInput input);
   PaintSource(const PaintSource&) = delete;
   PaintSource& operator=(const PaintSource&) = delete;

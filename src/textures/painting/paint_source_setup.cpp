@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a painter's source computes once: its maps, its links between triangles, its texel counts.
+// The parts of a painter's source that are computed once: its maps, its links between triangles,
+// its texel counts.
 #include <algorithm>
 #include <cmath>
 #include <string>

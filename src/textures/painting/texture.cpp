@@ -12,9 +12,9 @@ namespace remesher {
 namespace {
 
 struct Tables {
-  static constexpr int kSteps = 4096;  // of light; nearly every byte spans more than one step
-  std::array<float, 256> lights, fractions;    // the value of each byte
-  std::array<double, 256> bounds;              // the light from which the next byte is nearer
+  static constexpr int kSteps = 4096;        // of light; nearly every byte spans more than one step
+  std::array<float, 256> lights, fractions;  // the value of each byte
+  std::array<double, 256> bounds;            // the light from which the next byte is nearer
   std::array<std::uint8_t, kSteps + 1> bytes;  // the byte for the light at the start of each step
 
   Tables() {

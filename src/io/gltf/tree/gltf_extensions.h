@@ -40,8 +40,8 @@ void dropUnusedVariants(Json& tree);
 // declared and appeared nowhere before may be needed unseen, and stays, unless it is of triangles.
 void settleDeclarations(const Json& before, Json& tree);
 
-// What an extension may name by number without being found here: nothing; materials, textures or
-// images; or anything.
+// The objects that an extension may name by number without being found here: nothing; materials,
+// textures or images; or anything.
 enum class Hidden { Nothing, Looks, Anything };
 Hidden hiddenIn(std::string_view extension);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is smaller than a quad, as torn scans have much: a map takes it to points. So the map is
-// made on a mesh without it.
+// Features smaller than a quad, of which torn scans have many, become points of a map. So the map
+// is made on a mesh without it.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Opens what was closed for the map.
+// Opens loops that were closed for the map.
 #pragma once
 
 #include <vector>
@@ -12,8 +12,8 @@ namespace remesher {
 // Opens each boundary loop of the mesh on which the quads have no vertex: a quad near it is
 // missing, whose corners lie on the loop. At each handle four quads join the ends in the place of
 // two. The quads there, and those for loops within a quad, are smaller ones put into others, so
-// that all around stays in place. What no quad is left for stays closed. The quads must be a
-// manifold.
+// that all around stays in place. A loop for which no quad is left stays closed. The quads must be
+// a manifold.
 //
 //     o-------o        o-------o
 //     |       |        | o---o |

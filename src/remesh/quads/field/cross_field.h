@@ -27,7 +27,7 @@ struct CrossField {
   double bend(const FaceFrames& frames, const HalfedgeMesh& mesh, Halfedge h) const;
 };
 
-// What a field heeds besides the surface.
+// The wishes that a field follows besides the surface.
 struct FieldWishes {
   std::span<const Guide> guides = {};  // their directions count for more than curvature
   Mirrors mirrors = {};                // of a half: planes that mirror its quads

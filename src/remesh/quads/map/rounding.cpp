@@ -119,7 +119,7 @@ class Minimum {
   std::vector<Update> waiting_;
 };
 
-// The integer variables, and what is wanted of the required sums, 0 for nothing.
+// The integer variables, and the wanted values of the required sums, 0 for none.
 struct Rounding::Integers {
   Eigen::VectorXd relaxed, values;
   std::vector<int> wanted;
@@ -231,7 +231,7 @@ Minimum Rounding::minimumOf(const Integers& integers, const std::vector<int>& so
   return {some, std::move(values), std::move(own)};
 }
 
-// Pulls a sum to what is wanted of it, by the variables of the minimum.
+// Pulls a sum to its wanted value, by the variables of the minimum.
 void Rounding::pullOne(Minimum& minimum, const Integers& integers, const IntegerSum& sum,
                        int wanted, double yield) const {
   std::vector<int> places(std::size_t(integers_), -1);

@@ -47,7 +47,7 @@ struct SeamlessMap {
   HalfedgeData<int> turn;          // over h; see CutField
   Eigen::VectorXd integers;        // the integer variables
   double length = 0;               // of the quads
-  double mark = 0;  // of what was rounded: maps of one surface differ if these differ
+  double mark = 0;  // of the rounded values: maps of one surface differ if these differ
 
   Transition across(const HalfedgeMesh& mesh, Halfedge h) const;
   Fixed area(Face f) const {

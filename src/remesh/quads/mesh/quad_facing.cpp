@@ -12,7 +12,7 @@ namespace {
 
 // How far beyond the nearest triangle others count, in sides of the quad.
 constexpr double kFacingReach = 0.3;
-// Cosines of what stands upright on what is near, and of what faces away from it.
+// Cosines between the normals of a quad and of the surface near it: upright on it; facing away.
 constexpr double kUprightOnNear = 0.1, kFacesAway = -0.7;
 
 }  // namespace

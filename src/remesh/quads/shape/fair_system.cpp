@@ -17,7 +17,7 @@ constexpr double kAtCorner = kNear * kCornerShare, kAtMiddle = kNear * kMiddleSh
 constexpr std::array<double, 5> kFourth = {1, -4, 6, -4, 1};
 constexpr std::array<double, 4> kThird = {-1, 3, -3, 1};
 
-// What is left of the right side once the system counts as solved; by far fewer steps do.
+// The residual, relative to the right side, at which the system counts as solved.
 constexpr double kSolved = 1e-7;
 constexpr int kMostSteps = 60;
 

@@ -15,7 +15,7 @@ namespace {
 constexpr double kStep = 0.8;
 // Directions of a search for a better place, and searches in all.
 constexpr int kDirections = 8, kSearches = 5;
-// Of what a search wants to lessen: less is not worth a step.
+// The least relative gain that is worth a step.
 constexpr double kGain = 0.01;
 
 // The place of each vertex that moves on average over the rectangles of its quads.
