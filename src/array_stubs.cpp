@@ -92,6 +92,9 @@ std::vector<Warning> pairedParts(const QuadReport&, const std::vector<io::Part>&
 std::vector<Warning> lostToQuads(const std::vector<io::Part>&, const std::vector<io::Part>&) {
   return {};
 }
+std::vector<Warning> turnedFromGiven(const std::vector<io::Part>&, const std::vector<io::Part>&) {
+  return {};
+}
 
 MadeQuads makeQuads(const QuadGoal&, const TriangleMaker&) { refuse("The making of quads"); }
 

@@ -104,6 +104,7 @@ set(small
   src/geometry/extent.cpp
   src/geometry/mesh_tree.cpp
   src/geometry/piecewise.cpp
+  src/geometry/quad_facing.cpp
   src/io/contents.cpp
   src/io/formats.cpp
   src/io/gltf/gltf_accessor.cpp
@@ -286,7 +287,6 @@ set(small
   src/remesh/quads/mesh/quad_borders.cpp
   src/remesh/quads/mesh/quad_check.cpp
   src/remesh/quads/mesh/quad_distance.cpp
-  src/remesh/quads/mesh/quad_facing.cpp
   src/remesh/quads/mesh/quad_parts.cpp
   src/remesh/quads/mesh/quad_sides.cpp
   src/remesh/quads/mesh/triangulated.cpp

@@ -24,6 +24,7 @@ add_executable(unit_tests
   tests/unit/geometry/piecewise_test.cpp
   tests/unit/geometry/polar_map_test.cpp
   tests/unit/geometry/predicates_test.cpp
+  tests/unit/geometry/quad_facing_test.cpp
   tests/unit/geometry/quad_test.cpp
   tests/unit/geometry/ray_crossings_test.cpp
   tests/unit/geometry/triangle_grid_test.cpp
@@ -181,7 +182,6 @@ add_executable(unit_tests
   tests/unit/remesh/quads/mesh/quad_borders_test.cpp
   tests/unit/remesh/quads/mesh/quad_check_test.cpp
   tests/unit/remesh/quads/mesh/quad_distance_test.cpp
-  tests/unit/remesh/quads/mesh/quad_facing_test.cpp
   tests/unit/remesh/quads/mesh/triangulated_test.cpp
   tests/unit/remesh/quads/pair/box_quads_test.cpp
   tests/unit/remesh/quads/pair/pairing_test.cpp

@@ -71,6 +71,7 @@ constexpr std::array kDiagnostics = {
     Diagnostic{"QUADS_PAIRED", Severity::Note},
     Diagnostic{"QUADS_SYMMETRY_LOST", Severity::Note},
     Diagnostic{"QUADS_TOO_FEW", Severity::Loss},
+    Diagnostic{"QUADS_TURNED_AWAY", Severity::Fault},
     Diagnostic{"REMADE_IN_PART", Severity::Note},
     Diagnostic{"RESOURCE_NOT_GIVEN", Severity::Loss},
     Diagnostic{"RIMS_CLOSED", Severity::Note},

@@ -183,7 +183,8 @@ void warnOf(Report& report, const PartPairs& parts, const MadeCrossings& crossin
     report.warnings = joined(std::move(report.warnings), more);
   if (!report.output->quads) return;
   for (const std::vector<Warning>& more : {pairedParts(*report.output->quads, parts.results),
-                                           lostToQuads(parts.originals, parts.results)})
+                                           lostToQuads(parts.originals, parts.results),
+                                           turnedFromGiven(parts.originals, parts.results)})
     report.warnings = joined(std::move(report.warnings), more);
 }
 

@@ -10,7 +10,9 @@
 #include "base/disjoint_sets.h"
 #include "base/legible.h"
 #include "geometry/extent.h"
+#include "geometry/quad_facing.h"
 #include "geometry/triangle_tree.h"
+#include "io/model/faces.h"
 #include "jobs/checks/result_check.h"
 #include "mesh/welding.h"
 
@@ -121,6 +123,32 @@ std::vector<Warning> lostToQuads(const std::vector<io::Part>& given,
   text.append(" % of the diagonal away from the quads, more than half their width. ");
   text.append("Ask for more quads.");
   return {{"QUADS_TOO_FEW", text, 1, where}};
+}
+
+std::vector<Warning> turnedFromGiven(const std::vector<io::Part>& given,
+                                     const std::vector<io::Part>& result) {
+  std::size_t count = 0;
+  std::optional<Vec3> first;
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    const TriangleMesh& mesh = result[i].mesh;
+    if (!mesh.isQuads || mesh.indices.empty()) continue;
+    const TriangleTree tree(given[i].mesh.positions, given[i].mesh.indices);
+    const QuadFacing facing(tree);
+    const io::Faces faces(mesh);
+    for (std::size_t q = 0; q < faces.count(); ++q) {
+      Quad corners;
+      for (std::size_t k = 0; k < 4; ++k)
+        corners[k] = mesh.positions[mesh.indices[faces.place(q, k)]];
+      if (!facing.isAway(corners)) continue;
+      ++count;
+      if (!first) first = (corners[0] + corners[1] + corners[2] + corners[3]) / 4;
+    }
+  }
+  if (!first) return {};
+  std::string text = std::to_string(count) + (count == 1 ? " quad faces" : " quads face") +
+                     " away from the original, the first near (";
+  text.append(placeInWords(*first, result)).append(").");
+  return {{"QUADS_TURNED_AWAY", text, count, first}};
 }
 
 std::vector<Warning> pairedParts(const QuadReport& quads, const std::vector<io::Part>& result) {

@@ -18,6 +18,10 @@ std::vector<Warning> bordersOffGiven(const std::vector<io::Part>& given,
 std::vector<Warning> lostToQuads(const std::vector<io::Part>& given,
                                  const std::vector<io::Part>& result);
 
+// QUADS_TURNED_AWAY for quads that face away from all of the part given that is near them.
+std::vector<Warning> turnedFromGiven(const std::vector<io::Part>& given,
+                                     const std::vector<io::Part>& result);
+
 // QUADS_PAIRED for the connected parts without a map to squares.
 std::vector<Warning> pairedParts(const QuadReport& quads, const std::vector<io::Part>& result);
 

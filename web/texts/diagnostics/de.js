@@ -144,6 +144,7 @@ export default {
   'warning.QUADS_SYMMETRY_LOST': 'Ebenen spiegeln das Modell, aber nicht alle spiegeln die '
     + 'Vierecke.',
   'warning.QUADS_TOO_FEW': 'Ein Teil der Form ging verloren: Verlangen Sie mehr Vierecke.',
+  'warning.QUADS_TURNED_AWAY': 'Manche Vierecke liegen verkehrt herum auf der Fläche.',
   'warning.RESOURCE_NOT_GIVEN': 'Eine Datei, auf die das Modell verweist, war nicht dabei.',
   'warning.SCRAPS_REMOVED': 'Dreiecke wurden entfernt: von kleinen offenen Komponenten, solche, '
     + 'die neben einem Loch nur in einem Punkt an der Fläche hängen, und doppelte.',

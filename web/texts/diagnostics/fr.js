@@ -170,6 +170,7 @@ export default {
   'warning.QUADS_SYMMETRY_LOST': 'Le modèle a des plans de symétrie, mais les quads ne les '
     + 'ont pas tous.',
   'warning.QUADS_TOO_FEW': 'Une partie de la forme est perdue : demandez plus de quads.',
+  'warning.QUADS_TURNED_AWAY': 'Des quads sont à l’envers sur la surface.',
   'warning.SPIKES_LEFT_COARSE': 'Des points qui dépassent de loin tiennent par des aiguilles ; '
     + 'celles-ci reçoivent peu de points.',
   'warning.SURFACE_OPENED': 'Le résultat a des arêtes ouvertes, alors que l’original était fermé.',

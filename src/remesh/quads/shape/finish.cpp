@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "geometry/mesh_tree.h"
 #include "remesh/quads/mesh/quad_distance.h"
 #include "remesh/quads/shape/fairing.h"
 #include "remesh/quads/shape/mending.h"
@@ -46,7 +47,8 @@ void finish(QuadMesh& quads, const WorkingMesh& ground) {
 }
 
 void turnBack(QuadMesh& quads, const WorkingMesh& ground) {
-  const QuadFacing facing(ground);
+  const MeshTree original(ground.surface().mesh(), ground.surface().positions());
+  const QuadFacing facing(original.triangles());
   rewire(quads, ground, &facing);
 }
 

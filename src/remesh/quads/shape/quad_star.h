@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "geometry/quad.h"
-#include "remesh/quads/mesh/quad_facing.h"
+#include "geometry/quad_facing.h"
 #include "remesh/quads/mesh/quad_mesh.h"
 #include "remesh/quads/mesh/quad_sides.h"
 

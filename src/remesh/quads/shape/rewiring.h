@@ -11,7 +11,7 @@
 //     o---o---o       o---o---o        o-------o       o-------o
 #pragma once
 
-#include "remesh/quads/mesh/quad_facing.h"
+#include "geometry/quad_facing.h"
 #include "remesh/quads/mesh/quad_mesh.h"
 
 namespace remesher {

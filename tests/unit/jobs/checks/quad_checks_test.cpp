@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <utility>
+
 #include "support/shapes.h"
 
 using namespace remesher;
@@ -23,6 +25,25 @@ TEST_CASE("quad checks: a part of the shape that quads lack is said, with the pl
   CHECK(warnings[0].code == "QUADS_TOO_FEW");
   CHECK(warnings[0].at == top);
   CHECK(lostToQuads(part(tip), part(shapes::grid(8, 8))).empty());  // not of quads
+}
+
+TEST_CASE("quad checks: quads that face away from the part given are counted, with a place") {
+  const auto part = [](const TriangleMesh& mesh) {
+    return std::vector<io::Part>{io::Part{"", mesh, {}}};
+  };
+  const TriangleMesh given = shapes::grid(4, 4);
+  TriangleMesh quads = given;
+  quads.isQuads = true;
+  CHECK(turnedFromGiven(part(given), part(quads)).empty());
+  for (const std::size_t first : {0, 6})
+    std::swap(quads.indices[first + 1], quads.indices[first + 5]);
+  const std::vector<Warning> warnings = turnedFromGiven(part(given), part(quads));
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings[0].code == "QUADS_TURNED_AWAY");
+  CHECK(warnings[0].count == 2);
+  CHECK(warnings[0].at == Vec3(0.5, 0.5, 0));
+  quads.isQuads = false;
+  CHECK(turnedFromGiven(part(given), part(quads)).empty());
 }
 
 TEST_CASE("quad checks: a border that is not the one given is said, with the place") {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "geometry/mesh_tree.h"
 #include "original/surface/surface_walk.h"
 #include "remesh/quads/mesh/quad_check.h"
 #include "remesh/quads/mesh/quad_parts.h"
@@ -123,7 +124,8 @@ TEST_CASE("rewiring: a quad whose four corners are on one straight curve gets an
 TEST_CASE("rewiring: a quad between corners that faces away is turned back where that is asked") {
   const OriginalSurface surface = shapes::surfaceOf(shapes::grid(kWide - 1, kWide - 1));
   const WorkingMesh ground(surface);
-  const QuadFacing facing(ground);
+  const MeshTree original(surface.mesh(), surface.positions());
+  const QuadFacing facing(original.triangles());
   const auto countAway = [&](QuadMesh& mesh) {
     const MovingQuads moving(mesh, ground);
     std::size_t count = 0;

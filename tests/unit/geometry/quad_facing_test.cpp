@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "remesh/quads/mesh/quad_facing.h"
+#include "geometry/quad_facing.h"
 
 #include <doctest/doctest.h>
 
-#include "support/working_meshes.h"
+#include "support/shapes.h"
 
 using namespace remesher;
 
@@ -17,9 +17,9 @@ Quad rectangle(const Vec3& corner, const Vec3& x, const Vec3& y) {
 }  // namespace
 
 TEST_CASE("quad_facing: quads face away if all of the surface near them faces the other way") {
-  const OriginalSurface surface = shapes::surfaceOf(shapes::cube(4));  // from 0 to 4
-  const WorkingMesh ground(surface);
-  const QuadFacing facing(ground);
+  const TriangleMesh cube = shapes::cube(4);  // from 0 to 4
+  const TriangleTree surface(cube.positions, cube.indices);
+  const QuadFacing facing(surface);
   const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
   const Vec3 top = {1, 1, 4}, rim = {4, 1, 4};
   CHECK_FALSE(facing.isAway(rectangle(top, x, y)));
