@@ -37,7 +37,7 @@ function testAhead() {
 async function build(/** @type {readonly Part[]} */ parts) {
   const system = thisSystem();
   const installs = installNpmPackages();
-  installs.catch(() => {});  // told below; missing tools are told first
+  installs.catch(() => {});  // reported below, after missing tools
   await installTools(system, parts);
   let isPackageInWork = parts.includes('package');
   const steps = {

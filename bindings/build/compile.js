@@ -56,12 +56,12 @@ export const sanitizedDefinitions = (system) => [
  * @param {Target} target
  */
 async function configure({ folder, definitions }) {
-  const told = join(root, folder, 'configured');
+  const record = join(root, folder, 'configured');
   const words = definitions.join('\n');
-  const isTold = existsSync(told) && readFileSync(told, 'utf8') === words;
-  if (isTold && existsSync(join(root, folder, 'build.ninja'))) return;
+  const isSame = existsSync(record) && readFileSync(record, 'utf8') === words;
+  if (isSame && existsSync(join(root, folder, 'build.ninja'))) return;
   await run('cmake', ['--fresh', '-G', 'Ninja', '-S', '.', '-B', folder, ...definitions]);
-  writeFileSync(told, words);
+  writeFileSync(record, words);
 }
 
 /** @param {Target} target */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The triangles of several bodies, told apart: a body is a connected piece of surface. Where bodies
-// touch, their triangles may share points.
+// The triangles of several bodies, with the body of each: a body is a connected piece of surface.
+// Where bodies touch, their triangles may share points.
 #pragma once
 
 #include <array>

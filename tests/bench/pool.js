@@ -63,9 +63,9 @@ async function compare(/** @type {number} */ size) {
   pools.forEach((pool) => pool.close());
   children.forEach((child) => child.kill());
   const [one, many, alone, beside] = least.map((time) => time / 1000);
-  const told = (/** @type {string} */ what, /** @type {number} */ a, /** @type {number} */ b) =>
+  const row = (/** @type {string} */ what, /** @type {number} */ a, /** @type {number} */ b) =>
     `${what}: ${a.toFixed(2)} s, ${size}: ${b.toFixed(2)} s, ${(a / b).toFixed(2)} times as fast`;
-  console.log(`${told('one worker', one, many)}\n${told('one process', alone, beside)}`);
+  console.log(`${row('one worker', one, many)}\n${row('one process', alone, beside)}`);
 }
 
 const word = process.argv[2] ?? '2';

@@ -114,11 +114,11 @@ for (const [name, bytes] of Object.entries(files)) {
 
   test(`${name} tells how much of it is read, and can be left`, async () => {
     for (const worker of [true, false]) {
-      const told = [];
-      await inspect(new Blob([bytes]), { name, worker, onProgress: (event) => told.push(event) });
-      assert.equal(told[0].phase, 'read');
-      assert.equal(told.at(-1).phase, 'inspect');
-      const fractions = told.map(({ fraction }) => fraction);
+      const events = [];
+      await inspect(new Blob([bytes]), { name, worker, onProgress: (event) => events.push(event) });
+      assert.equal(events[0].phase, 'read');
+      assert.equal(events.at(-1).phase, 'inspect');
+      const fractions = events.map(({ fraction }) => fraction);
       assert.deepEqual(fractions, [...fractions].sort((a, b) => a - b));
       assert.ok(fractions[0] < 0.2 && fractions.at(-1) > 0.5, `${fractions}`);
     }

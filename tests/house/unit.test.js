@@ -76,7 +76,7 @@ function memoryOf(file, common) {
   return join(memory, `unit-${hash.digest('hex')}.json`);
 }
 
-/** Cases of a file by their numbers, from 1; a crash ends the portion, and is told. */
+/** Cases of a file by their numbers, from 1; a crash ends the portion, and is reported. */
 function runPortion({ file, first, last }) {
   return new Promise((resolve) => {
     const words = ['-r=xml', `-sf=*${file}`, `--first=${first}`, `--last=${last}`];

@@ -38,7 +38,7 @@ for (const scheme of ['best', 'rounds']) {
   });
 }
 
-test('the phases of a run are told in order, and make up its times', async () => {
+test('the phases of a run are reported in order, and make up its times', async () => {
   const { report } = await remeshFile(new TextEncoder().encode(offText(torus())),
     { name: 'a.off', output: 'a.glb', ratio: 0.5 });
   const names = report.phases.map(({ name }) => name);
@@ -132,7 +132,7 @@ test('bytes may be a Blob, an ArrayBuffer or a Node Buffer', async () => {
   }
 });
 
-test('the edges of a mesh are told by kind, of arrays only', async () => {
+test('the edges of a mesh are listed by kind, for arrays only', async () => {
   const cells = 10;
   const { input, edges } = await inspect(sheet(cells), { edges: true });
   assert.equal(edges.boundary.length, 2 * input.boundaryEdges);

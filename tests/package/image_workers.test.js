@@ -83,7 +83,7 @@ test('image workers: what a helper leaves undone is done by others', async () =>
   assert.deepEqual(await done({ spawn, helpers: 2 }, jobs), await done({}, jobs));
 });
 
-test('image workers: the first image that is broken is told of', async () => {
+test('image workers: the first image that is broken is reported', async () => {
   const [good] = await done({}, [encoding(picture(5))]);
   const broken = [good, good.subarray(0, 60), good, good.subarray(0, 50), good].map(decoding);
   for (const options of [{}, { spawn: () => portAnswering(0), helpers: 4 },
@@ -101,11 +101,11 @@ test('image workers: it is the first even where a helper has left it undone', as
     { message: 'an image of 60 cannot be decoded.' });
 });
 
-test('image workers: who is told of progress may end it', async () => {
-  const told = [];
+test('image workers: a listener to progress may end the work', async () => {
+  const reported = [];
   await assert.rejects(done({}, jobs, (count) => {
-    told.push(count);
+    reported.push(count);
     if (count === 2) throw new RemeshError('CANCELLED', 'Enough.');
   }), { code: 'CANCELLED' });
-  assert.deepEqual(told, [0, 1, 2]);
+  assert.deepEqual(reported, [0, 1, 2]);
 });

@@ -31,7 +31,7 @@ const coreText = filesUnder('src', /\.(h|cpp)$/).filter((path) => path !== diagn
 const found = (pattern) => [...new Set([...coreText.matchAll(pattern)].map(([, name]) => name))];
 
 /** Of what the core says in English: codes of warnings have two words, attributes end in digits. */
-const told = found(/"([A-Z]+(?:_[A-Z]+)+)",\s*(?:\n\s*)?["*a-zA-Z]/g)
+const codes = found(/"([A-Z]+(?:_[A-Z]+)+)",\s*(?:\n\s*)?["*a-zA-Z]/g)
   .filter((code) => !errorCodes.includes(code));
 const warnings = [...readText(diagnostics).matchAll(/"([A-Z_]+)", Severity::/g)]
   .map(([, code]) => code);
@@ -71,8 +71,8 @@ for (const file of others) {
 }
 
 test('the table of diagnostics has the codes of all warnings, sorted, and no others', () => {
-  assert.ok(told.includes('NON_MANIFOLD_EDGES_SPLIT') && told.includes('PARTS_MERGED'));
-  assert.deepEqual(warnings, told.sort());
+  assert.ok(codes.includes('NON_MANIFOLD_EDGES_SPLIT') && codes.includes('PARTS_MERGED'));
+  assert.deepEqual(warnings, codes.sort());
 });
 
 test('every phase of a run has a name', () => {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The way of most visitors: a purpose, one number, the verdict, the download, in a large window;
-// tests/integration/page/small_screens.test.js has the others. What a first visit is told goes
+// tests/integration/page/small_screens.test.js has the others. The hints of a first visit go
 // away.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';

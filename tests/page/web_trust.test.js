@@ -170,7 +170,7 @@ test('what is drawn is a part of the triangles, spread over all of them', async 
   assert.deepEqual(far, []);
 });
 
-test('the time that is left is told once it is known', () => {
+test('the time that is left is shown once it is known', () => {
   assert.equal(timeLeft(500, 0.5), null);
   assert.equal(timeLeft(10_000, 0.01), null);
   assert.equal(timeLeft(3000, 0.75), 1000);

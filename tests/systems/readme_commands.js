@@ -52,8 +52,8 @@ export async function test(system, command) {
   const { printed, passed } = await system.run(command).then(
     (text) => ({ printed: text, passed: true }),
     (error) => ({ printed: String(error.printed ?? error), passed: false }));
-  const told = printed.slice(printed.lastIndexOf('failing tests:'));
-  const failures = passed ? [] : [...told.matchAll(/^✖ .*/gm)].map(([line]) => line);
+  const reported = printed.slice(printed.lastIndexOf('failing tests:'));
+  const failures = passed ? [] : [...reported.matchAll(/^✖ .*/gm)].map(([line]) => line);
   const counts = [...printed.matchAll(/^ℹ ((?:tests|pass|fail|skipped) \d+)/gm)]
     .map(([, count]) => count).join(', ');
   return { passed, failures, counts: counts || printed.trim().split('\n').at(-1) };

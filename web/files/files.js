@@ -59,7 +59,7 @@ export async function droppedFiles(transfer) {
   return nested.flat();
 }
 
-/** Formats of pasted text, told by its beginning. */
+/** Formats of pasted text, by its beginning. */
 const beginnings = /** @type {[string, RegExp][]} */ ([
   ['off', /^\s*(?:ST|C|N)*OFF\b/], ['ply', /^ply\b/], ['stl', /^\s*solid\b[^]*\bfacet\b/],
   ['gltf', /^\s*\{[^]*"asset"/], ['obj', /^v[ \t]+\S/m],

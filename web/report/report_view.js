@@ -43,7 +43,7 @@ function row(label, values) {
     ...values.map((value) => element('td', {}, value)));
 }
 
-/** The lines of a report card that are not told elsewhere on the page. */
+/** The lines of a report card that stand nowhere else on the page. */
 const notOnCard = ['distance', 'bytes'];
 
 /** The rows that the report card has, too, in its words. @param {Report} report */

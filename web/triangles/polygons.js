@@ -11,8 +11,8 @@
  * @param {import('three').Mesh} mesh as the loader makes it @returns {Polygons | null} */
 export function polygonsOf({ userData, geometry }) {
   const { index } = geometry;
-  const isTold = userData.gltfExtensions?.FB_ngon_encoding;
-  if (!isTold || !index) return null;
+  const hasPolygons = userData.gltfExtensions?.FB_ngon_encoding;
+  if (!hasPolygons || !index) return null;
   const corners = index.array;
   const firsts = [];
   for (let i = 0; i < corners.length; i += 3) {

@@ -359,7 +359,7 @@ function requireOperation(operation) {
 }
 
 const edgesOfFile = () => new RemeshError('INVALID_OPTION',
-  'edges are told of arrays only: they name vertices by their numbers.',
+  'edges are listed for arrays only: they name vertices by their numbers.',
   'Give a mesh of positions and indices.');
 
 /** @param {string} name @param {unknown} value @returns {boolean} */

@@ -45,7 +45,7 @@ import { Modules } from './modules.js';
 /**
  * @typedef {object} RunOptions
  * @property {AbortSignal} [signal] Ends the run at once, with an `AbortError`.
- * @property {(event: ProgressEvent) => void} [onProgress] Told how far the run is.
+ * @property {(event: ProgressEvent) => void} [onProgress] Called with the progress of the run.
  * @property {boolean} [worker] `false`: run in the calling thread, not in a worker.
  */
 
@@ -72,11 +72,11 @@ export function checkRun({ signal, onProgress, worker }) {
   if (worker !== undefined && typeof worker !== 'boolean') refuse('worker must be true or false.');
 }
 
-/** @typedef {{ warnings?: { message: string }[], lods?: Told[] }} Told */
+/** @typedef {{ warnings?: { message: string }[], lods?: Warned[] }} Warned */
 
 /**
  * Puts the options in warnings into the caller's words.
- * @param {Told} told @param {(text: string) => string} words
+ * @param {Warned} warned @param {(text: string) => string} words
  */
 function settleWords({ warnings = [], lods = [] }, words) {
   for (const warning of warnings) warning.message = words(warning.message);

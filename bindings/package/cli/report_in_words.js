@@ -161,10 +161,10 @@ function cureInWords({ repair, openLoops }) {
 /** @param {import('../base/messages.js').FaultSummary} faults */
 function faultsInWords(faults) {
   const { openLoops, selfIntersections, innerShells, insideOut, repair, needs, places } = faults;
-  const told = 10;
-  const lengths = openLoops.slice(0, told).map((length) => `${length.toPrecision(3)} %`).join(', ');
+  const most = 10;
+  const lengths = openLoops.slice(0, most).map((length) => `${length.toPrecision(3)} %`).join(', ');
   const loops = openLoops.length === 0 ? '' : `, around, of the diagonal: ${lengths}`
-    + `${openLoops.length > told ? ', …' : ''}`;
+    + `${openLoops.length > most ? ', …' : ''}`;
   return [
     `faults: ${counted(openLoops.length, 'open loop')}${loops}${firstOf(places.openLoops)}`,
     `  triangles that intersect others ${selfIntersections}`
@@ -237,11 +237,11 @@ const sizeInWords = (bytes) => (bytes < 1e6
 
 /** @param {import('../base/messages.js').Texture[]} textures */
 function texturesInWords(textures) {
-  const told = textures.map(({ name, type, width, height, bytes }) =>
+  const lines = textures.map(({ name, type, width, height, bytes }) =>
     `  ${legible(name)}: ${width === undefined ? '' : `${width} × ${height}, `}`
       + `${type.replace('image/', '')}, ${sizeInWords(bytes)}`);
   const all = textures.reduce((sum, { bytes }) => sum + bytes, 0);
-  return [`${counted(textures.length, 'texture')}, ${sizeInWords(all)}:`, ...told].join('\n');
+  return [`${counted(textures.length, 'texture')}, ${sizeInWords(all)}:`, ...lines].join('\n');
 }
 
 /** @param {import('../base/messages.js').Compression} compression */

@@ -354,8 +354,8 @@ async function openedBy(baker, { file, options }) {
   try {
     return await baker.opened(file);
   } catch (error) {
-    const isTold = error instanceof RemeshError && error.code !== 'CANCELLED';
-    if (options.textures === 'bake' || !isTold) throw error;
+    const isOurs = error instanceof RemeshError && error.code !== 'CANCELLED';
+    if (options.textures === 'bake' || !isOurs) throw error;
     return file;
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Whether memory has room for a repair, or for the search for faults, which takes as much, and for
-// what is made of two models: told by the numbers of triangles alone, before any work.
+// what is made of two models: from the numbers of triangles alone, before any work.
 #pragma once
 
 #include <optional>

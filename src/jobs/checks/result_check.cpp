@@ -228,9 +228,9 @@ std::vector<Warning> beyondBudget(const Report& report, std::size_t budget) {
 std::vector<Warning> moreThanAsked(const Report& report, const RemeshOptions& options) {
   const MeshReport& after = *report.output;
   if (options.faces) return beyondBudget(report, *options.faces);
-  const bool isTold =
+  const bool isWarned =
       after.quads ? report.stopped == Stopped::Fidelity : options.repair != Repair::Off;
-  if (!isTold || !options.vertices || after.vertices <= *options.vertices) return {};
+  if (!isWarned || !options.vertices || after.vertices <= *options.vertices) return {};
   std::string surface = "for quads of this surface";
   if (!after.quads) {
     const long handles = std::max(0L, long(after.components) - after.eulerCharacteristic / 2);

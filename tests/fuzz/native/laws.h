@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What ends the process, which is how fuzzers are told.
+// Ends the process, as fuzzers expect of a failure.
 #pragma once
 
 #include "base/error.h"

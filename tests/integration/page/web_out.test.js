@@ -61,8 +61,8 @@ test('the report card says what the page shows, and the size of the saved file',
   }
   const label = await page.textContent('#download');
   assert.equal(`Download GLB${lines['Size of the file'][1]}`, label);
-  const [, told] = await reportRow(page, 'Largest distance');
-  assert.ok(lines['Largest distance'][1].startsWith(`${Number(told.split(' ')[0])} %`), told);
+  const [, shown] = await reportRow(page, 'Largest distance');
+  assert.ok(lines['Largest distance'][1].startsWith(`${Number(shown.split(' ')[0])} %`), shown);
 });
 
 test('pictures are twice the size, with the background or without', async () => {

@@ -24,16 +24,16 @@ const number = (text) => Number(text.replace(/[^\d.].*/, ''));
 
 test('there is one largest distance, wherever it is named, and it is one click away', async () => {
   await page.waitForSelector('#distances:not([hidden])');
-  const [, told] = await reportRow(page, 'Largest distance');
-  assert.match(told, /^(?:< )?[\d.]+ %$/);
-  const ends = (/** @type {string} */ text) => text.replace(/[()]/g, '').endsWith(` ${told}`);
+  const [, reported] = await reportRow(page, 'Largest distance');
+  assert.match(reported, /^(?:< )?[\d.]+ %$/);
+  const ends = (/** @type {string} */ text) => text.replace(/[()]/g, '').endsWith(` ${reported}`);
   assert.ok(ends(await page.textContent('#visit-largest')));
   const earlier = await picture();
   await page.click('#visit-largest');
   await page.waitForSelector('#legend:not([hidden]) .legend-marks span >> nth=1');
   assert.match(await page.textContent('#legend'), /Distance to the original.*%/);
   const most = await page.textContent('#legend .legend-marks span >> nth=1');
-  assert.ok(ends(` ${most}`), `${most} beside ${told}`);
+  assert.ok(ends(` ${most}`), `${most} beside ${reported}`);
   assert.equal(await page.getAttribute('[data-shading=distance]', 'aria-pressed'), 'true');
   assert.notDeepEqual(await picture(), earlier);
 });
@@ -118,16 +118,16 @@ test('a model far from the origin is measured as the same one near it', async ()
   const ring = torus(24, 12);
   const positions = ring.positions.map(([x, y, z]) =>
     [x + 431234.5, y + 5412345.75, z + 312.25]);
-  const told = [];
+  const reported = [];
   for (const [name, shape] of [['near.obj', ring], ['far.obj', { ...ring, positions }]]) {
     await open(name, objText(shape));
     await page.waitForSelector('#distances:not([hidden])');
     assert.ok(await page.isHidden('#landmarks'), 'no fault is seen where there is none');
-    told.push([await meanBar(), await page.getAttribute('#features', 'data-count')]);
+    reported.push([await meanBar(), await page.getAttribute('#features', 'data-count')]);
   }
-  const [[bar, creases], [farBar, farCreases]] = told;
+  const [[bar, creases], [farBar, farCreases]] = reported;
   assert.equal(farCreases, creases);
-  assert.ok(Math.abs(farBar - bar) < 3, `${told}`);
+  assert.ok(Math.abs(farBar - bar) < 3, `${reported}`);
 });
 
 test('the largest distance inside of triangles has no second number beside it', async () => {
@@ -135,8 +135,8 @@ test('the largest distance inside of triangles has no second number beside it', 
   for (const [m, n] of [[24, 12], [30, 8], [40, 24]]) {
     await open('ring.obj', objText(torus(m, n)));
     await page.waitForSelector('#distances:not([hidden])');
-    const [, told] = await reportRow(page, 'Largest distance');
-    assert.ok((await page.textContent('#visit-largest')).endsWith(`(${told})`), told);
+    const [, reported] = await reportRow(page, 'Largest distance');
+    assert.ok((await page.textContent('#visit-largest')).endsWith(`(${reported})`), reported);
   }
 });
 
@@ -148,8 +148,8 @@ test('dragging on the distances sets the largest error', async () => {
   await page.waitForFunction(() => location.hash.includes('maxError='));
   await settled(page);
   const asked = Number(await page.inputValue('#option-maxError'));
-  const told = number((await reportRow(page, 'Largest distance'))[1]);
-  assert.ok(asked > 0 && told <= asked, `${told} % within ${asked} %`);
+  const reported = number((await reportRow(page, 'Largest distance'))[1]);
+  assert.ok(asked > 0 && reported <= asked, `${reported} % within ${asked} %`);
 });
 
 test('turning the model draws two meshes with their lines and nothing else', async () => {

@@ -96,15 +96,15 @@ TEST_CASE("legible: numbers, as printf tells them, which rounds nothing differen
   CHECK(inDigits(std::abs(std::numeric_limits<double>::quiet_NaN()), 4) == "nan");
 }
 
-TEST_CASE("legible: any number is told to half of the last digit, but for the last bits") {
+TEST_CASE("legible: any number is written to half of the last digit, but for the last bits") {
   Random random(1);
   for (int k = 0; k < 20000; ++k) {
     const double x = (random.uniform() - 0.5) * std::pow(10, 600 * random.uniform() - 300);
     const int digits = 1 + k % 17;
     CAPTURE(x);
     CAPTURE(digits);
-    const double told = std::strtod(inDigits(x, digits).c_str(), nullptr);
+    const double written = std::strtod(inDigits(x, digits).c_str(), nullptr);
     const double unit = std::pow(10, std::floor(std::log10(std::abs(x))) + 1 - digits);
-    CHECK(std::abs(told - x) <= 0.5001 * unit + 16 * std::abs(x) * 0x1p-53);
+    CHECK(std::abs(written - x) <= 0.5001 * unit + 16 * std::abs(x) * 0x1p-53);
   }
 }

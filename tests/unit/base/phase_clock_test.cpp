@@ -29,7 +29,7 @@ TEST_CASE("phase_clock: time that passes belongs to the phase it passes in") {
   CHECK(phases[1].milliseconds > phases[2].milliseconds);
 }
 
-TEST_CASE("phase_clock: no phase was entered, none is told") {
+TEST_CASE("phase_clock: no phase was entered, none is reported") {
   CHECK(PhaseClock().finish().empty());
 }
 

@@ -123,7 +123,7 @@ TEST_CASE("thinned parts: slabs are refused where they would not be those of one
 TEST_CASE("thinned parts: what has no room is refused before the work, in numbers that are true") {
   ThinningLimits limits = kSmall;
   // 5000 triangles take 600 bytes each, or 75 and then 600 for each that is left.
-  const auto told = [&](const RemeshOptions& options) -> std::string {
+  const auto reported = [&](const RemeshOptions& options) -> std::string {
     std::vector<io::Part> parts = fineSheet();
     try {
       const ThinnedParts thinned(parts, options, limits);
@@ -135,25 +135,25 @@ TEST_CASE("thinned parts: what has no room is refused before the work, in number
     }
   };
   limits.addresses = 3e6;
-  CHECK(told(vertices(200)) == "as it is");
+  CHECK(reported(vertices(200)) == "as it is");
   limits.addresses = 2e6;
-  const std::string refused = told(vertices(200));
+  const std::string refused = reported(vertices(200));
   CHECK(
       refused.find("has 5000 triangles. To remesh it takes about 0.003 GB of memory; this build "
                    "has 0.002 GB, enough for about 3333 triangles. | For up to 104 vertices it is "
                    "thinned out first") != std::string::npos);
-  CHECK(told(vertices(104)) == "thinned");
-  CHECK(told(vertices(105)).find("For up to 104 vertices") != std::string::npos);
+  CHECK(reported(vertices(104)) == "thinned");
+  CHECK(reported(vertices(105)).find("For up to 104 vertices") != std::string::npos);
   RemeshOptions bound = vertices(60);
   bound.maxError = 1;
-  CHECK(
-      told(bound).find("For up to 104 vertices it is thinned out first, but not with maxError. ") !=
-      std::string::npos);
+  CHECK(reported(bound).find(
+            "For up to 104 vertices it is thinned out first, but not with maxError. ") !=
+        std::string::npos);
   RemeshOptions quads = vertices(60);
   quads.quads = true;
-  CHECK(told(quads).find("but not with quads. ") != std::string::npos);
+  CHECK(reported(quads).find("but not with quads. ") != std::string::npos);
   limits.addresses = 0.5e6;
-  CHECK(told(vertices(4)).find(" | Give it in parts") != std::string::npos);
+  CHECK(reported(vertices(4)).find(" | Give it in parts") != std::string::npos);
 }
 
 TEST_CASE("thinned parts: what is said of room before is what happens then") {

@@ -40,7 +40,7 @@ TEST_CASE("edge_report: bends come sharpest first, of one vertex at each place")
   for (const Index v : report.bent) CHECK(report.first[v] == v);
 }
 
-TEST_CASE("edge_report: a third triangle, and one that faces the other way, are told") {
+TEST_CASE("edge_report: a third triangle, and one that faces the other way, are reported") {
   TriangleMesh fan;
   soups::addTriangle(fan, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
   soups::addTriangle(fan, {0, 0, 0}, {1, 0, 0}, {0, -1, 0});

@@ -83,7 +83,7 @@ void visitMembers(Json& tree, const char* list, const std::function<void(Json& m
     if (member.is_object()) visit(member);
 }
 
-// A level told by its name: `rock_LOD1` is level 1 of `rock_`.
+// A level by its name: `rock_LOD1` is level 1 of `rock_`.
 struct NamedLevel {
   std::string stem;
   std::size_t level;

@@ -15,7 +15,7 @@ inline constexpr const char* kLevelsExtension = "MSFT_lod";
 // Per mesh of a coarser MSFT_lod level the meshes of the finest level. A mesh that is in a finest
 // level itself is left out.
 std::map<int, std::set<int>> meshLevels(const Json& tree);
-// The same for levels told by names, all of which the scene shows.
+// The same for levels by names, all of which the scene shows.
 std::map<int, std::set<int>> meshLevelsByName(const Json& tree);
 
 // Removes the levels from the nodes that have them; returns the nodes of the levels.

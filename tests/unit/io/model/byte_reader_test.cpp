@@ -147,8 +147,8 @@ TEST_CASE("byte reader: a file in blocks is refused in the words of any other") 
         binaryPly(false, false).substr(0, 100),
         textOf(glbOf(textFile("a.obj", kObj))).substr(0, 900), kText.substr(0, 90),
         kObj.substr(0, 40), kObj + " 9", kPlainObj + "f 1 2 3\n\nf 1 \\\n2 x\n"}) {
-    const std::string told = failureOf([&] { io::read(outside("a.ply", bytes, 11)); });
-    CHECK(told == readingFails(textFile("a.ply", bytes)));
+    const std::string reported = failureOf([&] { io::read(outside("a.ply", bytes, 11)); });
+    CHECK(reported == readingFails(textFile("a.ply", bytes)));
   }
 }
 
@@ -159,9 +159,9 @@ TEST_CASE("byte reader: a file that has become shorter is refused") {
   CHECK(io::read(file).parts.size() == 1);
   source->end = bytes.size() - 1;
   for (const bool isWhole : {false, true}) {
-    const std::string told =
+    const std::string reported =
         failureOf([&] { isWhole ? void(io::whole(file)) : void(io::read(file)); });
-    CHECK(told.starts_with("INPUT_UNREADABLE a.ply cannot be read from byte 0 on."));
+    CHECK(reported.starts_with("INPUT_UNREADABLE a.ply cannot be read from byte 0 on."));
   }
 }
 

@@ -12,7 +12,7 @@
 
 using namespace remesher;
 
-TEST_CASE("part joining: a model of loose triangles is told what joins them, and that does") {
+TEST_CASE("part joining: a model of loose triangles gets advice that joins them") {
   io::Part part;
   const TriangleMesh ball = shapes::icosphere(2);
   for (const Index v : ball.indices) {
@@ -34,7 +34,7 @@ TEST_CASE("part joining: a model of loose triangles is told what joins them, and
   CHECK(looseTriangles(inspectScaled(whole), whole).empty());
 }
 
-TEST_CASE("part joining: triangles that are apart are told of without advice; a lone one is not") {
+TEST_CASE("part joining: triangles that are apart are reported without advice; a lone one is not") {
   io::Part part;
   for (Index i = 0; i < 6; ++i) {
     part.mesh.positions.push_back(Vec3(i < 3 ? 0 : 100, i % 3 == 1, i % 3 == 2));

@@ -95,7 +95,7 @@ TEST_CASE("targets: triangles that are all lines are no surface") {
   }
 }
 
-TEST_CASE("targets: what there is no memory for is told in numbers that are true") {
+TEST_CASE("targets: a refusal for want of memory has true numbers") {
   constexpr double kAddresses = 4294967296.0;
   const auto failure = [](const ModelSize& model, double target) -> std::string {
     try {
