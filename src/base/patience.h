@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Ends rounds towards a target number when each round gains too little: a mesh that allows one
-// change per round would otherwise need as many rounds as it has vertices.
+// change per round would otherwise need as many rounds as it has vertices. And bounds work by what
+// is done, not by time: so the bytes are the same on every machine.
 #pragma once
 
 #include <cstddef>
@@ -42,6 +43,19 @@ class Prospect {
  private:
   int rounds_;
   double last_ = std::numeric_limits<double>::infinity(), beforeLast_ = last_;
+};
+
+// Counted in places tried for a vertex.
+class WorkBudget {
+ public:
+  WorkBudget() = default;  // without an end
+  explicit WorkBudget(double places) : left_(places) {}
+
+  void spend(double places) { left_ -= places; }
+  bool isSpent() const { return left_ <= 0; }
+
+ private:
+  double left_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace remesher

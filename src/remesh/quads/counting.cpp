@@ -65,7 +65,8 @@ bool CountGoal::isFree(std::size_t count) const {
   return std::abs(double(count) - double(vertices)) <= free * double(vertices);
 }
 
-std::size_t matchCount(QuadMesh& mesh, const CountGoal& goal, const WorkingMesh& ground) {
+std::size_t matchCount(QuadMesh& mesh, const CountGoal& goal, const WorkingMesh& ground,
+                       WorkBudget& work) {
   const double slack = goal.isExact ? 0 : kCountTolerance;
   const auto most = std::size_t(double(goal.vertices) * (1 + slack));
   const auto least = std::size_t(std::ceil(double(goal.vertices) * (1 - slack)));
@@ -83,7 +84,7 @@ std::size_t matchCount(QuadMesh& mesh, const CountGoal& goal, const WorkingMesh&
   const double faults = faultsOf(mesh, ground);
   if (faults == 0) return removed;
   QuadMesh rewired = mesh;
-  rewire(rewired, ground);
+  rewire(rewired, ground, work);
   const auto isMet = [&] {
     now = wholeCount(rewired, goal.mirrors);
     return (now >= least && now <= most) || (isFree && goal.isFree(now));

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/options.h"
+#include "base/patience.h"
 #include "remesh/quads/mesh/quad_mesh.h"
 
 namespace remesher {
@@ -20,6 +21,7 @@ struct CountGoal {
 
 // Adds rows and removes quads until the number is reached, or as near as can be. ground: any mesh
 // on the same original. Returns the number of single quads removed.
-std::size_t matchCount(QuadMesh& mesh, const CountGoal& goal, const WorkingMesh& ground);
+std::size_t matchCount(QuadMesh& mesh, const CountGoal& goal, const WorkingMesh& ground,
+                       WorkBudget& work);
 
 }  // namespace remesher

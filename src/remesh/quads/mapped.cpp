@@ -65,6 +65,7 @@ struct Domain {
   const Simpler& simpler;
   Tears tears;
   const FieldWishes& wishes;
+  WorkBudget& work;
   const QuadDistance distance = QuadDistance(part);
 };
 
@@ -115,11 +116,12 @@ double costOf(const Extracted& made, double wanted) {
 
 // Rewires quads that have too many faults for each map of a search to be rewired: that takes a
 // second, and most faults stay.
-void rewireLate(std::optional<Extracted>& made, const WorkingMesh& part) {
+void rewireLate(std::optional<Extracted>& made, const Domain& domain) {
+  const WorkingMesh& part = domain.part;
   if (!made || made->isRewired) return;
   fires("quads: only the last map is rewired");
   made->faults -= kTooMany * faultsOf(made->quads, part);
-  rewire(made->quads, part);
+  rewire(made->quads, part, domain.work);
   made->faults += kTooMany * faultsOf(made->quads, part);
 }
 
@@ -138,7 +140,7 @@ std::optional<Extracted> searchScale(const Domain& domain, const MapMaker& maker
   std::optional<SeamlessMap> passed;  // the nearest one, if it was not
   std::optional<double> last;         // the mark of the map before
   for (int i = 0; i < 3 * kSteps && std::max(shaped, failed) < most; ++i) {
-    if (maker.isSpent()) {
+    if (maker.isSpent() || (best && domain.work.isSpent())) {
       fires("quads: no more maps");
       break;
     }
@@ -186,7 +188,7 @@ std::optional<Extracted> searchScale(const Domain& domain, const MapMaker& maker
     }
     const double worthwhile = double(mostRewired(made.quads)) / 2;
     made.isRewired = unsound * double(made.quads.quads.size()) <= worthwhile;
-    if (made.isRewired) rewire(made.quads, part);
+    if (made.isRewired) rewire(made.quads, part, domain.work);
     made.faults += kTooMany * faultsOf(made.quads, part);
     ++shaped;
     if (!best || costOf(made, vertices) < costOf(*best, vertices)) best = std::move(made);
@@ -226,7 +228,7 @@ void shortenLoops(Extracted& made, const Domain& domain, const MapMaker& maker, 
     if (!isSame || irregularCount(one.quads) > irregular) continue;
     const double longest = longestLoop(one.quads);
     if (longest >= kShorter * shortest) continue;
-    shape(one.quads, domain.part);
+    shape(one.quads, domain.part, domain.work);
     if (faultsOf(one.quads, domain.part) > 0 || irregularCount(one.quads) > irregular) continue;
     shortest = longest;
     best = std::move(one);
@@ -265,8 +267,8 @@ Quality qualityOf(const QuadMesh& mesh, const OriginalDistance& distance) {
 }
 
 // Of the finished quads: before, tips are lost in any map.
-Quality finishedQuality(QuadMesh mesh, const WorkingMesh& part, const OriginalDistance& distance) {
-  finish(mesh, part);
+Quality finishedQuality(QuadMesh mesh, const Domain& domain, const OriginalDistance& distance) {
+  finish(mesh, domain.part, domain.work);
   return qualityOf(mesh, distance);
 }
 
@@ -299,15 +301,15 @@ void closeLoops(Extracted& made, const Domain& domain, const MapMaker& maker, do
     if (!isSame || irregularCount(one.quads) > irregular) continue;
     if (countError(double(one.quads.vertices.size()), vertices) > kCountTolerance) continue;
     if (windingOf(one.quads) >= kShorter * winding) continue;
-    shape(one.quads, domain.part);
+    shape(one.quads, domain.part, domain.work);
     if (faultsOf(one.quads, domain.part) > 0 || irregularCount(one.quads) > irregular) continue;
     if (windingOf(one.quads) >= kShorter * winding) continue;
     if (!before) {
       distance.emplace(domain.part);
-      before = finishedQuality(made.quads, domain.part, *distance);
+      before = finishedQuality(made.quads, domain, *distance);
     }
     ++finished;
-    const Quality now = finishedQuality(one.quads, domain.part, *distance);
+    const Quality now = finishedQuality(one.quads, domain, *distance);
     if (!isHardlyWorse(now, *before)) continue;
     made = std::move(one);
     return;
@@ -316,9 +318,14 @@ void closeLoops(Extracted& made, const Domain& domain, const MapMaker& maker, do
 
 QuadMesh quadsOf(const Domain& domain, double vertices, SizeMaker& sizesOn) {
   const WorkingMesh &part = domain.part, &closed = domain.simpler.mesh;
+  const WorkBudget& work = domain.work;
   const double length = std::sqrt(areaOf(part) / vertices);
   const FaceFrames frames(closed);
-  const CrossField field = makeSmoothField(closed, frames, length, domain.wishes);
+  const CrossField field = makeSmoothField(closed, frames, length, domain.work, domain.wishes);
+  if (work.isSpent()) {
+    fires("quads: no work left for a map");
+    return {};
+  }
   FaceData<double> sizes = sizesOn(closed), turned = crossSizes(closed, frames, field);
   for (Index f = 0; f < sizes.size(); ++f) turned[Face(f)] *= sizes[Face(f)];
   MapMaker maker(closed, field, scaledToMean(std::move(turned), closed));
@@ -344,8 +351,8 @@ QuadMesh quadsOf(const Domain& domain, double vertices, SizeMaker& sizesOn) {
     std::optional<Extracted> even = searchScale(domain, maker, vertices, kSteps);
     if (even && (!found || found->faults > 0 || isGood(*even))) found = std::move(even);
   }
-  rewireLate(found, part);
-  if (found && !isTorn) {
+  rewireLate(found, domain);
+  if (found && !isTorn && !work.isSpent()) {
     shortenLoops(*found, domain, maker, vertices);
     closeLoops(*found, domain, maker, vertices);
   }
@@ -357,8 +364,8 @@ QuadMesh quadsOf(const Domain& domain, double vertices, SizeMaker& sizesOn) {
 // A loop whose length rounds to four sides or fewer is a missing quad, and a handle as thin has no
 // room for lines of quads along it. Near holes of two to four quads may become one in a map: where
 // it fails, they are closed as well.
-QuadMesh mapToQuads(const WorkingMesh& part, double vertices, SizeMaker& sizesOn, Tears tears,
-                    const FieldWishes& wishes) {
+QuadMesh mapToQuads(const WorkingMesh& part, double vertices, SizeMaker& sizesOn, WorkBudget& work,
+                    Tears tears, const FieldWishes& wishes) {
   const double side = std::sqrt(areaOf(part) / vertices), small = 4.5 * side;
   Index faces = 0;
   for (const double most : {small, 2 * small}) {
@@ -366,7 +373,7 @@ QuadMesh mapToQuads(const WorkingMesh& part, double vertices, SizeMaker& sizesOn
     const auto now = Index(simpler.mesh.mesh().faceCount());
     if (now == faces) break;
     faces = now;
-    QuadMesh quads = quadsOf({part, simpler, tears, wishes}, vertices, sizesOn);
+    QuadMesh quads = quadsOf({part, simpler, tears, wishes, work}, vertices, sizesOn);
     if (!quads.quads.empty()) return quads;
   }
   return {};

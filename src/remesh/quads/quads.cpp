@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/fires.h"
 #include "mesh/topology.h"
 #include "remesh/quads/base_meshes.h"
 #include "remesh/quads/counting.h"
@@ -36,6 +37,12 @@ constexpr std::size_t kMostForPart = 12;
 // A part that is not the last may miss its share by this much before single quads go: the parts
 // after it make up for it.
 constexpr double kFreeOfPart = 0.25;
+// The work on the quads of a run: many times as much as models need of which maps can be made.
+// Where pieces and handles of a soup make many times the quads asked for, hardly any work mends
+// them. A part has its share of it, and a little for each vertex asked for, so that a small one is
+// done as well.
+constexpr double kWorkOfRun = 1e7, kWorkPerVertex = 2000;
+constexpr double kWorkOfFew = 5e5, kWorkOfFewPerVertex = 5e4, kMostWorkOfFew = 3e6;
 
 // So few vertices are finished at each number that is tried, and taken by their distance: maps of
 // neighbouring numbers may be quite different. In sides: nearer quads are near, those farther away
@@ -92,27 +99,30 @@ struct MapStart {
 
 // The quads of a part, mapped on the first mesh that has a map; no quads if no mesh has one.
 // `start` becomes the one used, or the last one tried.
-QuadMesh mapOn(BaseMeshes& bases, MapStart& start, const PartShare& share, const QuadGoal& goal) {
+QuadMesh mapOn(BaseMeshes& bases, MapStart& start, const PartShare& share, const QuadGoal& goal,
+               WorkBudget& work) {
   SizeMaker& sizes = goal.isGraded ? gradedSizes : evenSizes;
   for (;;) {
     bool isOpen = false;
     while (const WorkingMesh* part = bases.part(start.level, share.number)) {
       QuadMesh quads =
-          mapToQuads(*part, share.vertices, sizes, start.tears, {goal.guides, goal.mirrors});
+          mapToQuads(*part, share.vertices, sizes, work, start.tears, {goal.guides, goal.mirrors});
       if (!quads.quads.empty()) return quads;
       isOpen = isOpen || boundaryLoopCount(part->mesh()) > 0;
       ++start.level;
+      if (work.isSpent()) break;
     }
-    if (start.tears == Tears::Closed || !isOpen) break;
+    if (start.tears == Tears::Closed || !isOpen || work.isSpent()) break;
     start = {0, Tears::Closed};
   }
   if (start.level > 0) --start.level;
   return {};
 }
 
-QuadMesh pairsOf(const WorkingMesh& mesh, double length, std::span<const Guide> guides = {}) {
+QuadMesh pairsOf(const WorkingMesh& mesh, double length, WorkBudget& work,
+                 std::span<const Guide> guides = {}) {
   const FaceFrames frames(mesh);
-  const CrossField field = makeSmoothField(mesh, frames, length, {guides});
+  const CrossField field = makeSmoothField(mesh, frames, length, work, {guides});
   return splitPairs(mesh, pairTriangles(mesh, frames, field));
 }
 
@@ -131,7 +141,8 @@ void appendPairs(MadeQuads& made, const QuadMesh& pairs) {
 
 // Makes quads by pairs, not yet shaped, of the parts that get too few vertices for fewer triangles
 // to do; they leave the shares. What they take beyond theirs is taken from the others' shares.
-MadeQuads pairTiny(std::vector<PartShare>& shares, const std::vector<WorkingMesh>& parts) {
+MadeQuads pairTiny(std::vector<PartShare>& shares, const std::vector<WorkingMesh>& parts,
+                   WorkBudget& work) {
   MadeQuads quads{{}, parts.size()};
   std::vector<PartShare> others;
   double whole = 0, left = 0;
@@ -140,7 +151,7 @@ MadeQuads pairTiny(std::vector<PartShare>& shares, const std::vector<WorkingMesh
     const bool isTiny =
         shares[i].vertices < kFewestOfPairs && parts[i].mesh().vertexCount() <= kFewestOfPairs;
     if (isTiny) {
-      appendPairs(quads, pairsOf(parts[i], std::sqrt(areaOf(parts[i]) / shares[i].vertices)));
+      appendPairs(quads, pairsOf(parts[i], std::sqrt(areaOf(parts[i]) / shares[i].vertices), work));
       continue;
     }
     left += shares[i].vertices;
@@ -155,7 +166,7 @@ MadeQuads pairTiny(std::vector<PartShare>& shares, const std::vector<WorkingMesh
 // Makes quads by pairs, not yet shaped, for the parts with these numbers. How many triangles stay
 // single is not known before: so the number of triangles is corrected, up to three meshes in all.
 MadeQuads pairParts(const std::vector<PartShare>& wanted, std::size_t vertices,
-                    const TriangleMaker& triangles, const QuadGoal& goal) {
+                    const TriangleMaker& triangles, const QuadGoal& goal, WorkBudget& work) {
   double share = 0;
   for (const PartShare& one : wanted) share += one.vertices;
   std::size_t coarse = std::max<std::size_t>(vertices / 4, 4);
@@ -170,7 +181,8 @@ MadeQuads pairParts(const std::vector<PartShare>& wanted, std::size_t vertices,
       const auto isIt = [&](const PartShare& one) { return one.number == number; };
       const auto found = std::find_if(wanted.begin(), wanted.end(), isIt);
       if (found == wanted.end()) continue;
-      appendPairs(quads, pairsOf(part, std::sqrt(areaOf(part) / found->vertices), goal.guides));
+      appendPairs(quads,
+                  pairsOf(part, std::sqrt(areaOf(part) / found->vertices), work, goal.guides));
     }
     const auto count = double(quads.mesh.vertices.size());
     if (std::abs(count / share - 1) <= kCountTolerance / 2) break;
@@ -183,11 +195,11 @@ MadeQuads pairParts(const std::vector<PartShare>& wanted, std::size_t vertices,
 }
 
 // The sides of a box, shaped, if they are sound and near; only of few vertices.
-QuadMesh boxed(const WorkingMesh& part, double vertices) {
+QuadMesh boxed(const WorkingMesh& part, double vertices, WorkBudget& work) {
   if (vertices > kMostOfBox) return {};
   QuadMesh box = boxQuads(part, vertices);
   if (box.quads.empty()) return {};
-  shape(box, part);
+  shape(box, part, work);
   const bool isGood = faultsOf(box, part) == 0 && QuadDistance(part).sidesAway(box) <= kFarBox;
   return isGood ? std::move(box) : QuadMesh{};
 }
@@ -198,6 +210,7 @@ class QuadMaking {
   QuadMaking(const QuadGoal& goal, const TriangleMaker& triangles)
       : goal_(goal),
         triangles_(triangles),
+        work_(budgetOf(goal)),
         bases_(triangles, firstCount(goal), goal.vertices >> goal.mirrors.planes.size(),
                goal.mirrors),
         expected_(ownVertices(bases_.first(), goal)),
@@ -221,6 +234,10 @@ class QuadMaking {
     bool isCompleted = false;
     for (std::size_t i = 0; i < shares.size(); ++i) {
       const double share = shares[i];
+      if (best && work_.isSpent()) {
+        fires("quads: no work left for more numbers");
+        break;
+      }
       if (i >= usual && best->away < kLostQuads) break;
       // A part without a map at one share has none at others. The whole may, where its half has
       // none.
@@ -251,6 +268,13 @@ class QuadMaking {
     QuadMesh quads;
   };
 
+  static WorkBudget budgetOf(const QuadGoal& goal) {
+    const auto vertices = double(goal.vertices);
+    const double own = goal.share * kWorkOfRun + kWorkPerVertex * vertices;
+    const double few = std::min(kWorkOfFew + kWorkOfFewPerVertex * vertices, kMostWorkOfFew);
+    return WorkBudget(goal.isPart ? own + few : own);
+  }
+
   static std::size_t firstCount(const QuadGoal& goal) {
     const std::size_t dense = goal.vertices >> goal.mirrors.planes.size();
     const std::size_t least = std::min(kLeastForMap >> goal.mirrors.planes.size(),
@@ -268,8 +292,8 @@ class QuadMaking {
       settle(made.mesh, bases_.first());
     if (!goal_.isGraded) keepCurveLengths(made.mesh, bases_.first());
     if (goal_.isDraft) return;
-    finish(made.mesh, bases_.first());
-    turnBack(made.mesh, bases_.first());
+    finish(made.mesh, bases_.first(), work_);
+    turnBack(made.mesh, bases_.first(), work_);
   }
 
   // The share by which the number is missed.
@@ -293,15 +317,15 @@ class QuadMaking {
   // vertices their pairs take is known only then, and the others share the rest.
   MadeQuads made(double share) {
     std::vector<PartShare> shares = sharesOf(bases_.parts(), share * expected_, goal_.isGraded);
-    MadeQuads result = pairTiny(shares, bases_.parts());
-    shape(result.mesh, bases_.first());
+    MadeQuads result = pairTiny(shares, bases_.parts(), work_);
+    shape(result.mesh, bases_.first(), work_);
     std::vector<PartShare> failed;
     std::vector<Mapped> mapped;
     for (const PartShare& one : shares) {
-      QuadMesh quads = mapOn(bases_, starts_[one.part], one, goal_);
+      QuadMesh quads = mapOn(bases_, starts_[one.part], one, goal_, work_);
       QuadMesh box;
       if (quads.quads.empty() || faultsOf(quads, bases_.first()) > 0)
-        box = boxed(bases_.parts()[one.part], one.vertices);
+        box = boxed(bases_.parts()[one.part], one.vertices, work_);
       if (!box.quads.empty())
         append(result.mesh, box);
       else if (!quads.quads.empty())
@@ -311,14 +335,14 @@ class QuadMaking {
     }
     if (!failed.empty()) {
       const auto vertices = std::size_t(std::ceil(share * expected_));
-      MadeQuads pairs = pairParts(failed, vertices, triangles_, goal_);
-      shape(pairs.mesh, bases_.first());
+      MadeQuads pairs = pairParts(failed, vertices, triangles_, goal_, work_);
+      shape(pairs.mesh, bases_.first(), work_);
       append(result.mesh, pairs.mesh);
       result.paired.insert(result.paired.end(), pairs.paired.begin(), pairs.paired.end());
     }
     if (mapped.empty()) {
       const CountGoal count{goal_.vertices, goal_.isExact, goal_.mirrors, 0};
-      result.collapsed = matchCount(result.mesh, count, bases_.first());
+      result.collapsed = matchCount(result.mesh, count, bases_.first(), work_);
     }
     addMapped(result, std::move(mapped), share);
     return result;
@@ -342,18 +366,19 @@ class QuadMaking {
       const double whole = std::max(left * part, fair / 2);
       if (std::abs(whole / fair - 1) > kCountTolerance / 2) {
         one.share.vertices = own * whole / fair;
-        QuadMesh again = mapOn(bases_, starts_[one.share.part], one.share, goal_);
+        QuadMesh again = mapOn(bases_, starts_[one.share.part], one.share, goal_, work_);
         if (!again.quads.empty()) one.quads = std::move(again);
       }
       const CountGoal count{std::size_t(std::lround(whole)), goal_.isExact && isLast, goal_.mirrors,
                             isLast ? kFreeTolerance : kFreeOfPart};
-      result.collapsed += matchCount(one.quads, count, bases_.first());
+      result.collapsed += matchCount(one.quads, count, bases_.first(), work_);
       append(result.mesh, one.quads);
     }
   }
 
   const QuadGoal& goal_;
   const TriangleMaker& triangles_;
+  WorkBudget work_;
   BaseMeshes bases_;
   const double expected_;         // vertices of the mesh itself, which may be a half
   std::vector<MapStart> starts_;  // of each part: the mesh that its map is made on

@@ -10,6 +10,7 @@
 
 #include "base/options.h"
 #include "base/paired_part.h"
+#include "base/patience.h"
 #include "remesh/quads/field/cross_field.h"
 #include "remesh/quads/mesh/quad_mesh.h"
 
@@ -39,6 +40,7 @@ struct QuadGoal {
   bool isGraded = false;           // sizes of quads vary as those of the triangles
   bool isDraft = false;            // on fewer triangles, and lost tips stay lost
   bool isPart = false;             // one of several connected parts: on fewer triangles
+  double share = 1;                // of a part: of the vertices, and of the work, of all parts
   bool isForced = false;           // the half is to be mirrored, whatever that costs
   std::vector<Guide> guides = {};  // lines on the surface that lead the cross field
 };
@@ -57,7 +59,7 @@ using SizeMaker = FaceData<double>(const WorkingMesh& mesh);
 enum class Tears { Refused, Closed };
 
 // Quads by the map, for one connected part; no quads if the map fails.
-QuadMesh mapToQuads(const WorkingMesh& part, double vertices, SizeMaker& sizesOn,
+QuadMesh mapToQuads(const WorkingMesh& part, double vertices, SizeMaker& sizesOn, WorkBudget& work,
                     Tears tears = Tears::Refused, const FieldWishes& wishes = {});
 
 }  // namespace remesher

@@ -20,7 +20,7 @@ constexpr Index kWorthMirroring = 32;
 RemeshOutcome remeshAlone(const SurfacePart& part, const RemeshOptions& options,
                           const PlainRemesher& plain, Scope scope, const Progress& progress) {
   const bool isTiny = part.planes.empty() && options.vertices.value_or(kNone) < kWorthMirroring;
-  if (scope == Scope::Part && isTiny) return plain(part.mesh, options, scope, progress);
+  if (scope.isPart && isTiny) return plain(part.mesh, options, scope, progress);
   MirroredOutcome mirrored = remeshMirrored(
       part.mesh, part.planes, options,
       [&](const auto& half, auto& own) { return plain(half, own, scope, progress); });
@@ -49,22 +49,22 @@ RemeshOutcome remeshUnguided(const TriangleMesh& input, const Welding& welding,
     return remeshForced(input, options, [&](const TriangleMesh& half, const RemeshOptions& own) {
       const auto remeshed = [&](const SurfacePart& part, const RemeshOptions& its,
                                 const Progress& stretch) {
-        return plain(part.mesh, its, Scope::Part, stretch);
+        return plain(part.mesh, its, {true, part.share}, stretch);
       };
       std::optional<RemeshOutcome> parts =
           remeshPartByPart(half, Welding(half), own, remeshed, progress);
-      return parts ? std::move(*parts) : plain(half, own, Scope::Whole, progress);
+      return parts ? std::move(*parts) : plain(half, own, {}, progress);
     });
   const auto remeshed = [&](const SurfacePart& part, const RemeshOptions& its,
                             const Progress& stretch) {
-    return remeshAlone(part, its, plain, Scope::Part, stretch);
+    return remeshAlone(part, its, plain, {true, part.share}, stretch);
   };
   std::optional<RemeshOutcome> parts =
       remeshPartByPart(input, welding, options, remeshed, progress);
   if (parts) return std::move(*parts);
   SurfacePart all;
   all.mesh = input;
-  return remeshAlone(all, options, plain, Scope::Whole, progress);
+  return remeshAlone(all, options, plain, {}, progress);
 }
 
 }  // namespace

@@ -13,7 +13,10 @@ namespace remesher {
 
 // Whether a surface is all of a mesh, or one of several connected parts: work on all of these
 // together stays in proportion.
-enum class Scope { Whole, Part };
+struct Scope {
+  bool isPart = false;  // one of several connected parts
+  double share = 1;     // of the vertices of all of them
+};
 // Makes quads of a surface as it is.
 using PlainRemesher =
     std::function<RemeshOutcome(const TriangleMesh& input, const RemeshOptions& options,

@@ -113,7 +113,8 @@ RemeshOutcome remeshToQuads(Plan plan, const TriangleMesh& input, const RemeshOp
   const std::size_t aim = isHalf ? options.mirrors.vertices : plan.vertices;
   const bool isGraded = *options.adaptivity > 0 || !options.density.empty();
   QuadGoal goal{aim, wanted.exact, options.mirrors, isGraded, wanted.quality == Quality::Draft};
-  goal.isPart = run.scope == Scope::Part;
+  goal.isPart = run.scope.isPart;
+  goal.share = run.scope.share;
   goal.isForced = isHalf && isForced(options.symmetry);
   goal.guides = options.guides;
   const MadeQuads quads = makeQuads(goal, triangles);

@@ -65,11 +65,14 @@ class Ways {
 
 using Pair = std::tuple<double, Vertex, Vertex>;  // distance, positive vertex, negative vertex
 
-std::vector<Pair> nearPairs(const WorkingMesh& mesh, const VertexData<int>& indices, double reach) {
+std::vector<Pair> nearPairs(const WorkingMesh& mesh, const VertexData<int>& indices, double reach,
+                            WorkBudget& work) {
   std::vector<Pair> pairs;
   for (Index i = 0; i < indices.size(); ++i) {
     if (indices[Vertex(i)] <= 0 || mesh.kind(Vertex(i)) != VertexKind::Interior) continue;
+    if (work.isSpent()) break;
     const Ways ways(mesh, Vertex(i), reach);
+    work.spend(double(ways.found().size()));
     for (const auto& [v, arrival] : ways.found())
       if (indices[v] < 0) pairs.emplace_back(arrival.distance, Vertex(i), v);
   }
@@ -88,12 +91,13 @@ void turnAlong(CrossField& field, const HalfedgeMesh& mesh, const std::vector<Ha
 
 // Moves all but one quarter of a vertex with a larger index to the farthest regular vertices within
 // reach: a vertex of two quads is not allowed, and one of six becomes two of five.
-bool partDoubles(CrossField& field, const WorkingMesh& mesh, VertexData<int>& indices,
-                 double reach) {
+bool partDoubles(CrossField& field, const WorkingMesh& mesh, VertexData<int>& indices, double reach,
+                 WorkBudget& work) {
   bool isChanged = false;
   for (Index i = 0; i < indices.size(); ++i)
-    for (const Vertex v(i); std::abs(indices[v]) > 1;) {
+    for (const Vertex v(i); std::abs(indices[v]) > 1 && !work.isSpent();) {
       const Ways ways(mesh, v, reach);
+      work.spend(double(ways.found().size()));
       const auto isNearer = [&](const auto& a, const auto& b) {
         return (indices[a.first] == 0 ? a.second.distance : -1) <
                (indices[b.first] == 0 ? b.second.distance : -1);
@@ -133,13 +137,16 @@ VertexData<int> quarterIndices(const CrossField& field, const WorkingMesh& mesh,
   return indices;
 }
 
-void cancelPairs(CrossField& field, const WorkingMesh& mesh, const FaceFrames& frames,
-                 double reach) {
+void cancelPairs(CrossField& field, const WorkingMesh& mesh, const FaceFrames& frames, double reach,
+                 WorkBudget& work) {
   VertexData<int> indices = quarterIndices(field, mesh, frames);
-  bool isChanged = partDoubles(field, mesh, indices, reach);
-  for (const auto& [distance, positive, negative] : nearPairs(mesh, indices, reach)) {
+  bool isChanged = partDoubles(field, mesh, indices, reach, work);
+  for (const auto& [distance, positive, negative] : nearPairs(mesh, indices, reach, work)) {
     if (indices[positive] <= 0 || indices[negative] >= 0) continue;
-    turnAlong(field, mesh.mesh(), Ways(mesh, positive, reach).wayTo(negative));
+    if (work.isSpent()) break;
+    const Ways ways(mesh, positive, reach);
+    work.spend(double(ways.found().size()));
+    turnAlong(field, mesh.mesh(), ways.wayTo(negative));
     --indices[positive];
     ++indices[negative];
     isChanged = true;
@@ -148,9 +155,9 @@ void cancelPairs(CrossField& field, const WorkingMesh& mesh, const FaceFrames& f
 }
 
 CrossField makeSmoothField(const WorkingMesh& mesh, const FaceFrames& frames, double length,
-                           const FieldWishes& wishes) {
+                           WorkBudget& work, const FieldWishes& wishes) {
   CrossField field = makeCrossField(mesh, frames, length, wishes);
-  cancelPairs(field, mesh, frames, kCancelWithin * length);
+  cancelPairs(field, mesh, frames, kCancelWithin * length, work);
   return field;
 }
 

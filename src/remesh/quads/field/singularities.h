@@ -4,6 +4,7 @@
 // valence 4 − 4 · index.
 #pragma once
 
+#include "base/patience.h"
 #include "remesh/quads/field/cross_field.h"
 
 namespace remesher {
@@ -14,12 +15,12 @@ VertexData<int> quarterIndices(const CrossField& field, const WorkingMesh& mesh,
                                const FaceFrames& frames);
 
 // Cancels pairs of opposite singularities at most `reach` apart along edges, the nearest pairs
-// first. No pair is cancelled across a curve.
-void cancelPairs(CrossField& field, const WorkingMesh& mesh, const FaceFrames& frames,
-                 double reach);
+// first. No pair is cancelled across a curve. Of a soup, singularities are so many that work ends.
+void cancelPairs(CrossField& field, const WorkingMesh& mesh, const FaceFrames& frames, double reach,
+                 WorkBudget& work);
 
 // A field for quads with sides of this length, its nearest pairs cancelled.
 CrossField makeSmoothField(const WorkingMesh& mesh, const FaceFrames& frames, double length,
-                           const FieldWishes& wishes = {});
+                           WorkBudget& work, const FieldWishes& wishes = {});
 
 }  // namespace remesher

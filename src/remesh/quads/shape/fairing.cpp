@@ -39,9 +39,10 @@ Quad bentRectangle(const Quad& corners) {
 
 class Fairing {
  public:
-  Fairing(QuadMesh& mesh, const WorkingMesh& ground)
+  Fairing(QuadMesh& mesh, const WorkingMesh& ground, WorkBudget& work)
       : mesh_(mesh),
         ground_(ground),
+        work_(work),
         moving_(mesh, ground),
         system_(mesh, moving_.sides()),
         reach_(kReach * meanSide(mesh)),
@@ -56,7 +57,7 @@ class Fairing {
 
   void run() {
     if (system_.count() == 0) return;
-    for (int i = 0; i < kFairings; ++i) {
+    for (int i = 0; i < kFairings && !work_.isSpent(); ++i) {
       pull();
       step();
     }
@@ -127,12 +128,14 @@ class Fairing {
     moving_.move(v, place);
   }
 
-  // Around quads that became worse than both before and 30° all vertices go back, first by halves.
+  // Around quads that became worse than both before and 30° all vertices go back, first by halves,
+  // and at once where no work is left.
   void keepSound() {
     std::vector<double> now(mesh_.quads.size());
     std::vector<Index> open(mesh_.quads.size()), bad;
     std::iota(open.begin(), open.end(), 0);
     for (int round = 0; !open.empty(); ++round) {
+      work_.spend(double(open.size()));
       bad.clear();
       for (const Index q : open) {
         now[q] = moving_.quality(q);
@@ -143,7 +146,7 @@ class Fairing {
         for (const Index v : mesh_.quads[q]) {
           const Vec3 &here = mesh_.position(v), &before = last_[v].position;
           if (here == before) continue;
-          if (round < kHalvings)
+          if (round < kHalvings && !work_.isSpent())
             moveTo(v, (here + before) / 2);
           else
             moving_.move(v, last_[v]);
@@ -155,6 +158,7 @@ class Fairing {
 
   QuadMesh& mesh_;
   const WorkingMesh& ground_;
+  WorkBudget& work_;
   MovingQuads moving_;
   FairSystem system_;
   const double reach_;
@@ -167,6 +171,8 @@ class Fairing {
 
 }  // namespace
 
-void fair(QuadMesh& quads, const WorkingMesh& ground) { Fairing(quads, ground).run(); }
+void fair(QuadMesh& quads, const WorkingMesh& ground, WorkBudget& work) {
+  Fairing(quads, ground, work).run();
+}
 
 }  // namespace remesher

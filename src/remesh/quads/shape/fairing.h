@@ -5,12 +5,13 @@
 // once the quads are subdivided.
 #pragma once
 
+#include "base/patience.h"
 #include "remesh/quads/mesh/quad_mesh.h"
 
 namespace remesher {
 
 // Inner vertices only, those on flat places within these. No corner becomes worse than 30°. ground:
 // any mesh on the same original.
-void fair(QuadMesh& quads, const WorkingMesh& ground);
+void fair(QuadMesh& quads, const WorkingMesh& ground, WorkBudget& work);
 
 }  // namespace remesher

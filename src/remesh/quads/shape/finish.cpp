@@ -30,26 +30,26 @@ void settle(QuadMesh& quads, const WorkingMesh& ground) {
   mendCorners(moving, isFixed);
 }
 
-void shape(QuadMesh& quads, const WorkingMesh& ground) {
+void shape(QuadMesh& quads, const WorkingMesh& ground, WorkBudget& work) {
   settle(quads, ground);
-  rewire(quads, ground);
+  rewire(quads, ground, work);
 }
 
 // Fairing draws some vertices off tips again, for the rows' sake: they go back where the largest
 // distance clearly falls.
-void finish(QuadMesh& quads, const WorkingMesh& ground) {
-  reachTips(quads, ground, kSmoothingSweeps);
-  fair(quads, ground);
+void finish(QuadMesh& quads, const WorkingMesh& ground, WorkBudget& work) {
+  reachTips(quads, ground, kSmoothingSweeps, work);
+  fair(quads, ground, work);
   const QuadMesh fairOnes = quads;
-  if (!reachTips(quads, ground, kSweepsAfterFairing)) return;
+  if (!reachTips(quads, ground, kSweepsAfterFairing, work)) return;
   const OriginalDistance distance(ground);
   if (distance.farthest(quads) > kClearlyNearer * distance.farthest(fairOnes)) quads = fairOnes;
 }
 
-void turnBack(QuadMesh& quads, const WorkingMesh& ground) {
+void turnBack(QuadMesh& quads, const WorkingMesh& ground, WorkBudget& work) {
   const MeshTree original(ground.surface().mesh(), ground.surface().positions());
   const QuadFacing facing(original.triangles());
-  rewire(quads, ground, &facing);
+  rewire(quads, ground, work, &facing);
 }
 
 double unsoundShare(QuadMesh& quads, const WorkingMesh& ground) {

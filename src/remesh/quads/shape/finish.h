@@ -2,6 +2,7 @@
 // The order of the steps that give quads their shape.
 #pragma once
 
+#include "base/patience.h"
 #include "remesh/quads/mesh/quad_mesh.h"
 
 namespace remesher {
@@ -10,13 +11,13 @@ namespace remesher {
 void settle(QuadMesh& quads, const WorkingMesh& ground);
 
 // Moves vertices, then divides and joins quads around those that stay unsound.
-void shape(QuadMesh& quads, const WorkingMesh& ground);
+void shape(QuadMesh& quads, const WorkingMesh& ground, WorkBudget& work);
 
 // Brings quads of the right number to the original's tips and makes them fair. Moves vertices only.
-void finish(QuadMesh& quads, const WorkingMesh& ground);
+void finish(QuadMesh& quads, const WorkingMesh& ground, WorkBudget& work);
 
 // Rewires quads that face away from the original, where that can be done.
-void turnBack(QuadMesh& quads, const WorkingMesh& ground);
+void turnBack(QuadMesh& quads, const WorkingMesh& ground, WorkBudget& work);
 
 // The share of quads that fold, or have hardly any area.
 double unsoundShare(QuadMesh& quads, const WorkingMesh& ground);

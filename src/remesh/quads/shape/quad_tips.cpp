@@ -56,10 +56,11 @@ std::vector<Tip> farthestFirst(std::vector<Tip> tips, std::size_t quads, double 
 
 class Reaching {
  public:
-  Reaching(QuadMesh& mesh, const WorkingMesh& ground, double least)
+  Reaching(QuadMesh& mesh, const WorkingMesh& ground, double least, WorkBudget& work)
       : mesh_(mesh),
         least_(least),
         ground_(ground),
+        work_(work),
         quads_(mesh.quads),
         sides_(mesh.vertices.size(), quads_),
         moving_(mesh, ground),
@@ -86,7 +87,8 @@ class Reaching {
       for (const Tip& tip : before[q])
         if (!isNew.contains(tip.vertex)) ofQuad_[q].push_back(tip);
     for (const Tip& tip : tips) ofQuad_[tip.quad()].push_back(tip);
-    for (const Tip& tip : tips) reach(tip);
+    for (const Tip& tip : tips)
+      if (!work_.isSpent()) reach(tip);
   }
 
  private:
@@ -130,8 +132,9 @@ class Reaching {
       moving.move(Index(i), place);
       patch.isRim[i] = 1;
     }
+    work_.spend(double(2 * patch.mesh.quads.size()));
     if (farthestFrom(patch.mesh, near, farthest) >= farthest) return false;
-    mendCorners(moving, patch.isRim);
+    work_.spend(double(mendCorners(moving, patch.isRim)));
     if (worst(moving) < least || farthestFrom(patch.mesh, near, farthest) >= farthest) return false;
     for (std::size_t i = 0; i < patch.outer.size(); ++i)
       mesh_.vertices[patch.outer[i]] = patch.mesh.vertices[i];
@@ -170,6 +173,7 @@ class Reaching {
   QuadMesh& mesh_;
   const double least_;
   const WorkingMesh& ground_;
+  WorkBudget& work_;
   const std::vector<Four<Index>> quads_;
   const QuadSides sides_;
   MovingQuads moving_;
@@ -180,10 +184,10 @@ class Reaching {
 
 }  // namespace
 
-bool reachTips(QuadMesh& mesh, const WorkingMesh& ground, int smoothings) {
+bool reachTips(QuadMesh& mesh, const WorkingMesh& ground, int smoothings, WorkBudget& work) {
   const double least = kTip * meanSide(mesh);
   std::vector<Tip> possible = possibleTips(ground.surface());
-  Reaching reaching(mesh, ground, least);
+  Reaching reaching(mesh, ground, least, work);
   std::vector<Placement> best = mesh.vertices;
   double farthest = kInfinity;
   bool isMoved = false;

@@ -3,6 +3,7 @@
 // its curves. Here the nearest vertices are put back on the tips and bends.
 #pragma once
 
+#include "base/patience.h"
 #include "remesh/quads/mesh/quad_mesh.h"
 
 namespace remesher {
@@ -12,6 +13,6 @@ namespace remesher {
 // near them must fall. Repeats, after `smoothings` passes of fitting rectangles, as long as the
 // largest distance of all falls. False if no vertex is a tip. ground: any mesh on the same
 // original.
-bool reachTips(QuadMesh& mesh, const WorkingMesh& ground, int smoothings);
+bool reachTips(QuadMesh& mesh, const WorkingMesh& ground, int smoothings, WorkBudget& work);
 
 }  // namespace remesher

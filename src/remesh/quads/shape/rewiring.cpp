@@ -129,8 +129,10 @@ std::vector<Index> unsoundOf(QuadMesh& mesh, const WorkingMesh& ground, const Qu
 
 class Rewiring {
  public:
-  Rewiring(const QuadPatch& patch, const WorkingMesh& ground, const QuadFacing* facing)
+  Rewiring(const QuadPatch& patch, const WorkingMesh& ground, WorkBudget& work,
+           const QuadFacing* facing)
       : ground_(ground),
+        work_(work),
         facing_(facing),
         sides_(patch.mesh.vertices.size(), patch.mesh.quads),
         kind_(kindOf(patch.mesh)),
@@ -206,6 +208,7 @@ class Rewiring {
     removeDoublets(patch->mesh);
     patch->dropUnusedVertices();
     if (!isSound(*patch)) return;
+    work_.spend(double(patch->mesh.quads.size()));
     const Fault unmended = faultOf(MovingQuads(patch->mesh, ground_, facing_), *patch);
     waiting_.push_back({std::move(*patch), unmended});
   }
@@ -226,7 +229,7 @@ class Rewiring {
   void mend(QuadPatch patch, const Fault& unmended) {
     if (best_ && least_.cost() <= 0.1 * unmended.irregular) return;
     MovingQuads quads(patch.mesh, ground_, facing_);
-    mendCorners(quads, patch.isRim);
+    work_.spend(double(mendCorners(quads, patch.isRim)));
     const Fault fault = faultOf(quads, patch);
     if (!fault.isClearlyBelow(before_)) return;
     if (best_ && fault.cost() >= least_.cost()) return;
@@ -235,6 +238,7 @@ class Rewiring {
   }
 
   const WorkingMesh& ground_;
+  WorkBudget& work_;
   const QuadFacing* facing_;
   const QuadSides sides_;
   const SurfaceKind kind_;
@@ -250,7 +254,7 @@ std::size_t mostRewired(const QuadMesh& mesh) {
   return kMostTried + mesh.quads.size() / kQuadsPerTry;
 }
 
-void rewire(QuadMesh& mesh, const WorkingMesh& ground, const QuadFacing* facing) {
+void rewire(QuadMesh& mesh, const WorkingMesh& ground, WorkBudget& work, const QuadFacing* facing) {
   const std::size_t most = mostRewired(mesh);
   std::set<Four<Index>> tried;
   for (bool isDone = false; !isDone;) {
@@ -261,14 +265,15 @@ void rewire(QuadMesh& mesh, const WorkingMesh& ground, const QuadFacing* facing)
     std::vector<QuadPatch> better;
     for (const Index q : unsoundOf(mesh, ground, facing)) {
       if (tried.contains(quads[q])) continue;
-      if (tried.size() == most) {
+      if (tried.size() == most || work.isSpent()) {
         fires("quads: rewiring ends early");
         break;
       }
       const std::vector<Index> near = quadsNear(sides, mesh, q);
       if (std::any_of(near.begin(), near.end(), [&](Index n) { return isChanged[n]; })) continue;
       tried.insert(quads[q]);
-      std::optional<QuadPatch> found = Rewiring(patchOf(mesh, sides, near), ground, facing).run();
+      std::optional<QuadPatch> found =
+          Rewiring(patchOf(mesh, sides, near), ground, work, facing).run();
       if (!found) continue;
       for (const Index n : near) isChanged[n] = 1;
       better.push_back(std::move(*found));

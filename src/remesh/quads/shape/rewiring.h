@@ -11,6 +11,7 @@
 //     o---o---o       o---o---o        o-------o       o-------o
 #pragma once
 
+#include "base/patience.h"
 #include "geometry/quad_facing.h"
 #include "remesh/quads/mesh/quad_mesh.h"
 
@@ -18,7 +19,8 @@ namespace remesher {
 
 // ground: any mesh on the same original. The quads stay a surface of the same kind; sides and
 // vertices on curves stay on them. With `facing` only quads that face away are rewired.
-void rewire(QuadMesh& mesh, const WorkingMesh& ground, const QuadFacing* facing = nullptr);
+void rewire(QuadMesh& mesh, const WorkingMesh& ground, WorkBudget& work,
+            const QuadFacing* facing = nullptr);
 
 // So many quads are tried at most.
 std::size_t mostRewired(const QuadMesh& mesh);

@@ -81,7 +81,7 @@ std::vector<Vec3> waysFrom(const MovingQuads& quads, Index v) {
 
 // Moves v to where its quads lack less, nearer places once no farther place is better. False if v
 // stays where it is.
-bool searchLess(MovingQuads& quads, Index v, double missing) {
+bool searchLess(MovingQuads& quads, Index v, double missing, std::size_t& tried) {
   const double gain = kGain * missing;
   bool isMoved = false;
   double reach = reachOf(quads, v) / 2;
@@ -90,6 +90,7 @@ bool searchLess(MovingQuads& quads, Index v, double missing) {
     const Vec3 from = quads.mesh().position(v);
     for (const Vec3& way : waysFrom(quads, v)) {
       const auto place = quads.placeNear(v, from + reach * way);
+      ++tried;
       if (!place) return isMoved;
       const Placement before = quads.mesh().vertices[v];
       quads.move(v, *place);
@@ -126,10 +127,11 @@ void smoothToRectangles(MovingQuads& quads, int passes, std::span<const char> is
 }
 
 // A search that found nothing finds nothing again until a vertex of its quads moves.
-void mendCorners(MovingQuads& quads, std::span<const char> isFixed) {
+std::size_t mendCorners(MovingQuads& quads, std::span<const char> isFixed) {
   const QuadMesh& mesh = quads.mesh();
   std::vector<char> isOpen(mesh.vertices.size(), 1);
   bool isDone = false;
+  std::size_t tried = 0;
   for (int search = 0; search < kSearches && !isDone; ++search) {
     isDone = true;
     for (Index v = 0; v < isOpen.size(); ++v) {
@@ -137,13 +139,14 @@ void mendCorners(MovingQuads& quads, std::span<const char> isFixed) {
       const double missing = missingAround(quads, v);
       if (!(missing > 0)) continue;
       isOpen[v] = 0;
-      if (!searchLess(quads, v, missing)) continue;
+      if (!searchLess(quads, v, missing, tried)) continue;
       isDone = false;
       quads.sides().forEachOutgoing(v, [&](Index side) {
         for (const Index w : mesh.quads[side / 4]) isOpen[w] = 1;
       });
     }
   }
+  return tried;
 }
 
 }  // namespace remesher

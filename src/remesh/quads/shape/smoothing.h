@@ -3,6 +3,7 @@
 // the mean of the places that the rectangles fitted to its quads give it.
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 #include "remesh/quads/shape/quad_star.h"
@@ -19,7 +20,8 @@ void smoothToRectangles(MovingQuads& quads, int passes, std::span<const char> is
 
 // Moves vertices beside corners that are reflex or worse than 30° to where all such corners around
 // them together lack least, as far as a search finds that place. Several vertices give way so,
-// where one alone would only shift the fault. Marked vertices stay.
-void mendCorners(MovingQuads& quads, std::span<const char> isFixed);
+// where one alone would only shift the fault. Marked vertices stay. Returns how many places it has
+// tried.
+std::size_t mendCorners(MovingQuads& quads, std::span<const char> isFixed);
 
 }  // namespace remesher

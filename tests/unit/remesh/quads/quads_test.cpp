@@ -89,7 +89,8 @@ TEST_CASE("quads: by the map or by pairs, each part is a surface of its own kind
 TEST_CASE("quads: the map reaches the number within a hundredth, with few irregular vertices") {
   const OriginalSurface surface = shapes::surfaceOf(shapes::icosphere(9));
   const WorkingMesh ground(surface);
-  const QuadMesh quads = mapToQuads(ground, 490, evenSizes);
+  WorkBudget work;
+  const QuadMesh quads = mapToQuads(ground, 490, evenSizes, work);
   REQUIRE(check(quads) == "");
   CHECK(kindOf(quads) == SurfaceKind{2, 1, 0});
   // 2 (ab + bc + ca) + 2 with all three 9 is 488: few other numbers divide a sphere as evenly.
@@ -264,7 +265,8 @@ TEST_CASE("quads: teeth that need up to half as many quads again get them from t
   const WorkingMesh ground(surface);
   for (const double wanted : {140., 150., 160., 200.}) {
     CAPTURE(wanted);
-    const QuadMesh quads = mapToQuads(ground, wanted, evenSizes);
+    WorkBudget work;
+    const QuadMesh quads = mapToQuads(ground, wanted, evenSizes, work);
     REQUIRE(check(quads) == "");
     CHECK(kindOf(quads) == kindOf(ground.mesh()));
     CHECK(double(quads.vertices.size()) > wanted);

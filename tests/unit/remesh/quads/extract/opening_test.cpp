@@ -37,9 +37,10 @@ constexpr double kTube = 2 * std::numbers::pi * 0.1;  // around the tube
 
 QuadMesh pairToQuads(const WorkingMesh& mesh, double length) {
   const FaceFrames frames(mesh);
-  const CrossField field = makeSmoothField(mesh, frames, length);
+  WorkBudget work;
+  const CrossField field = makeSmoothField(mesh, frames, length, work);
   QuadMesh quads = splitPairs(mesh, pairTriangles(mesh, frames, field));
-  shape(quads, mesh);
+  shape(quads, mesh, work);
   return quads;
 }
 
@@ -60,7 +61,8 @@ TEST_CASE("opening: holes smaller than a quad stay open") {
   const SurfaceKind kind = kindOf(ground.mesh());
   REQUIRE(kind.boundaryLoops == 6);
   for (const double vertices : {150., 200., 300.}) {
-    const QuadMesh quads = mapToQuads(ground, vertices, evenSizes);
+    WorkBudget work;
+    const QuadMesh quads = mapToQuads(ground, vertices, evenSizes, work);
     REQUIRE(check(quads) == "");
     CHECK(kindOf(quads) == kind);
     CHECK(double(quads.vertices.size()) == doctest::Approx(vertices).epsilon(0.1));
@@ -151,7 +153,8 @@ TEST_CASE("opening: a small hole beside a boundary is opened in the quad it lies
   const WorkingMesh ground(surface);
   REQUIRE(kindOf(ground.mesh()).boundaryLoops == 2);
   for (const double vertices : {120., 140., 160., 180.}) {
-    const QuadMesh quads = mapToQuads(ground, vertices, evenSizes, Tears::Closed);
+    WorkBudget work;
+    const QuadMesh quads = mapToQuads(ground, vertices, evenSizes, work, Tears::Closed);
     REQUIRE(check(quads) == "");
     CHECK(kindOf(quads) == kindOf(ground.mesh()));
     const auto isOfHole = [&](Index v) {
@@ -189,7 +192,8 @@ TEST_CASE("opening: near holes of a few quads that no map keeps apart are closed
   for (const double vertices : {200., 250., 300., 350.}) {
     const double side = std::sqrt(areaOf(ground) / vertices);
     CHECK(kindOf(withoutSmall(ground, side, 4.5 * side).mesh.mesh()).boundaryLoops == 2);
-    const QuadMesh quads = mapToQuads(ground, vertices, evenSizes);
+    WorkBudget work;
+    const QuadMesh quads = mapToQuads(ground, vertices, evenSizes, work);
     REQUIRE(check(quads) == "");
     REQUIRE_FALSE(quads.quads.empty());
     CHECK(kindOf(quads) == kind);

@@ -56,7 +56,8 @@ TEST_CASE("cross_field: indices add up to Euler's characteristic [Poincaré–Ho
     CAPTURE(shape.name);
     Field field(shape.mesh);
     CHECK(field.indexSum() == 4 * shape.chi);
-    cancelPairs(field.field, field.mesh, field.frames, 1);
+    WorkBudget work;
+    cancelPairs(field.field, field.mesh, field.frames, 1, work);
     CHECK(field.indexSum() == 4 * shape.chi);
   }
 }
@@ -112,7 +113,8 @@ TEST_CASE("cross_field: opposite pairs that lie near each other go, and no new o
     --field.field.turn[m.twin(h)];
     h = m.next(m.twin(m.next(h)));
   }
-  cancelPairs(field.field, field.mesh, field.frames, 1);
+  WorkBudget work;
+  cancelPairs(field.field, field.mesh, field.frames, 1, work);
   CHECK(field.singularCount() <= before);
   CHECK(field.indexSum() == 8);
 }

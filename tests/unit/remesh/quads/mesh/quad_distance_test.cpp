@@ -19,7 +19,8 @@ TEST_CASE("quad_distance: quads that follow a ball are near, those that leave it
   const WorkingMesh ball(surface);
   const QuadDistance distance(ball);
   const OriginalDistance original(ball);
-  const QuadMesh quads = mapToQuads(ball, 200, evenSizes);
+  WorkBudget work;
+  const QuadMesh quads = mapToQuads(ball, 200, evenSizes, work);
   REQUIRE_FALSE(quads.quads.empty());
   CHECK(distance.sidesAway(quads) == 0);
   CHECK(original.farthest(quads) < 0.1);

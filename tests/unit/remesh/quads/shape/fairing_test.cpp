@@ -94,7 +94,8 @@ TEST_CASE("fairing: quads of a smooth surface have smoother rows, better angles,
   const WorkingMesh ground(surface);
   const QuadMesh before = wavyTorus(ground);
   QuadMesh after = before;
-  fair(after, ground);
+  WorkBudget work;
+  fair(after, ground, work);
   CHECK(check(after) == "");
   CHECK(ripple(after) < 0.01 * ripple(before));
   CHECK(skew(after) < skew(before));
@@ -108,7 +109,8 @@ TEST_CASE("fairing: flat quads stay in their plane, and boundaries where they ar
   const CrossField field = makeCrossField(ground, frames, 1);
   const QuadMesh before = splitPairs(ground, pairTriangles(ground, frames, field));
   QuadMesh after = before;
-  fair(after, ground);
+  WorkBudget work;
+  fair(after, ground, work);
   CHECK(check(after) == "");
   for (Index v = 0; v < after.vertices.size(); ++v) {
     CHECK(after.position(v).z() == 0);
@@ -125,7 +127,8 @@ TEST_CASE("fairing: sharp edges stay, and no corner becomes worse than 30 degree
     const CrossField field = makeCrossField(ground, frames, 0.3);
     const QuadMesh before = splitPairs(ground, pairTriangles(ground, frames, field));
     QuadMesh after = before, changed = before;
-    fair(after, ground);
+    WorkBudget work;
+    fair(after, ground, work);
     const MovingQuads then(changed, ground), now(after, ground);
     for (Index q = 0; q < after.quads.size(); ++q)
       CHECK(now.quality(q) >= std::min(0.5, then.quality(q)) - 1e-9);

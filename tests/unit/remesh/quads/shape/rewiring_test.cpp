@@ -49,10 +49,23 @@ void checkRewired(QuadMesh& mesh, const WorkingMesh& ground, double least) {
   REQUIRE(check(mesh) == "");
   REQUIRE(worstOf(mesh, ground) < kLeastSine);
   const SurfaceKind kind = kindOf(mesh);
-  rewire(mesh, ground);
+  WorkBudget work;
+  rewire(mesh, ground, work);
   CHECK(worstOf(mesh, ground) >= least);
   CHECK(check(mesh) == "");
   CHECK(kindOf(mesh) == kind);
+}
+
+// Wires a quad and the one after it along another diagonal of their hexagon; two corners of it may
+// not give way.
+void turnWrong(QuadMesh& mesh, Index one) {
+  const Index two = one + 1;
+  const auto [a, b, c, d] = mesh.quads[one];
+  const Index e = mesh.quads[two][1], f = mesh.quads[two][2];
+  REQUIRE(mesh.quads[two][0] == b);
+  mesh.quads[one] = {a, f, c, d};
+  mesh.quads[two] = {a, b, e, f};
+  for (const Index v : {b, c}) mesh.vertices[v].kind = VertexKind::Corner;
 }
 
 // Moves two opposite corners of a quad of a grid so far from its diagonal, and holds all four.
@@ -92,15 +105,31 @@ TEST_CASE("rewiring: an edge that was turned the wrong way is turned back") {
   const OriginalSurface surface = shapes::surfaceOf(shapes::grid(kWide - 1, kWide - 1));
   const WorkingMesh ground(surface);
   QuadMesh mesh = quadsOn(ground);
-  // Two quads beside each other, wired along the other diagonal of their hexagon.
-  const Index one = 14, two = 15;
-  const auto [a, b, c, d] = mesh.quads[one];
-  const Index e = mesh.quads[two][1], f = mesh.quads[two][2];
-  REQUIRE(mesh.quads[two][0] == b);
-  mesh.quads[one] = {a, f, c, d};
-  mesh.quads[two] = {a, b, e, f};
-  for (const Index v : {b, c}) mesh.vertices[v].kind = VertexKind::Corner;  // they may not give way
+  turnWrong(mesh, 14);
   checkRewired(mesh, ground, kLeastSine);
+}
+
+TEST_CASE("rewiring: where work ends with the first unsound quad, the others stay as they are") {
+  const OriginalSurface surface = shapes::surfaceOf(shapes::grid(kWide - 1, kWide - 1));
+  const WorkingMesh ground(surface);
+  QuadMesh mesh = quadsOn(ground);
+  turnWrong(mesh, 7);
+  turnWrong(mesh, 27);
+  const auto countUnsound = [&] {
+    const MovingQuads moving(mesh, ground);
+    std::size_t count = 0;
+    for (Index q = 0; q < mesh.quads.size(); ++q) count += moving.quality(q) < kLeastSine;
+    return count;
+  };
+  const std::size_t all = countUnsound();
+  WorkBudget one(1), none(0), work;
+  rewire(mesh, ground, none);
+  CHECK(countUnsound() == all);
+  rewire(mesh, ground, one);
+  CHECK(countUnsound() > 0);
+  CHECK(countUnsound() < all);
+  rewire(mesh, ground, work);
+  CHECK(countUnsound() == 0);
 }
 
 TEST_CASE("rewiring: a quad whose four corners are on one straight curve gets an area") {
@@ -141,9 +170,10 @@ TEST_CASE("rewiring: a quad between corners that faces away is turned back where
   REQUIRE(countAway(mesh) == 1);
   const SurfaceKind kind = kindOf(mesh);
   QuadMesh unasked = mesh;  // a quad between corners has no normals to be compared with
-  rewire(unasked, ground);
+  WorkBudget work;
+  rewire(unasked, ground, work);
   CHECK(countAway(unasked) == 1);
-  rewire(mesh, ground, &facing);
+  rewire(mesh, ground, work, &facing);
   CHECK(countAway(mesh) == 0);
   CHECK(check(mesh) == "");
   CHECK(kindOf(mesh) == kind);
