@@ -60,18 +60,15 @@ class Scaled {
               "Make a body of it first: repair it with --repair wrap, say.");
 }
 
-[[noreturn]] void refuseEmpty(const OperandPair& pair, BooleanOperation operation) {
-  const auto& [a, b] = pair.names;
+[[noreturn]] void refuseEmpty(BooleanOperation operation) {
   if (operation == BooleanOperation::Subtract)
-    throw Error(
-        ErrorCode::NoTriangles,
-        "Nothing is left: all of the first operand, " + a + ", lies in the second, " + b + ".",
-        "Were the operands exchanged?");
-  if (operation == BooleanOperation::Intersect)
     throw Error(ErrorCode::NoTriangles,
-                "Nothing is left: " + a + " and " + b + " have no volume in common.",
+                "Nothing is left: all of the first operand lies in the second.",
+                "Were the operands exchanged?");
+  if (operation == BooleanOperation::Intersect)
+    throw Error(ErrorCode::NoTriangles, "Nothing is left: the operands have no volume in common.",
                 "Are they at the same place, and in the same units?");
-  throw Error(ErrorCode::NoTriangles, "Nothing is left: " + a + " and " + b + " have no volume.");
+  throw Error(ErrorCode::NoTriangles, "Nothing is left: the operands have no volume.");
 }
 
 // The repair of both operands.
@@ -131,7 +128,7 @@ United arrangedOf(const OperandPair& pair, const Bodies& bodies, BooleanOperatio
                 pair.names[0] + " and " + pair.names[1] +
                     " cannot be cut along each other: too many of their triangles meet.",
                 "Simplify them first.");
-  if (found->mesh.indices.empty()) refuseEmpty(pair, operation);
+  if (found->mesh.indices.empty()) refuseEmpty(operation);
   return std::move(*found);
 }
 
