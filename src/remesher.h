@@ -15,7 +15,6 @@
 #include "base/options.h"
 #include "base/progress.h"
 #include "base/report.h"
-#include "base/room.h"
 #include "base/triangle_mesh.h"
 #include "base/types.h"
 

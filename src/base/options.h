@@ -161,4 +161,11 @@ inline bool leadsByEdges(const RemeshOptions& options) {
   return (options.minEdge || options.maxEdge) && !asksForNumber(options);
 }
 
+// Thins out a scan slab by slab, whatever its size. Slabs that are joined in their order are
+// remeshed to the mesh that one run of all of them makes.
+struct ScanSlabs {
+  Index count = 0;  // 1 to 256; 0: not asked for
+  Index only = 0;   // the number of the only slab to make, from 1 on; 0: all
+};
+
 }  // namespace remesher

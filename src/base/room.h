@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Refuses work that no memory has room for, before it begins, and divides a scan's into slabs.
+// Refuses work that no memory has room for, before it begins.
 #pragma once
 
 #include <limits>
 #include <string>
-
-#include "base/types.h"
 
 namespace remesher {
 
@@ -30,12 +28,5 @@ std::string needsInWords(const RoomNeeds& needs, double addresses = kAddresses);
 // OUT_OF_MEMORY for a model if there is no room for the work that the verb names.
 [[noreturn]] void refuseSize(const RoomNeeds& needs, const std::string& verb,
                              const std::string& hint, double addresses = kAddresses);
-
-// How a scan is thinned out, whatever its size: in so many slabs, 1 to 256; of these only one, from
-// 1 on. 0: not asked for. Slabs that are joined in their order are remeshed to what one run of all
-// of them makes.
-struct ScanSlabs {
-  Index count = 0, only = 0;
-};
 
 }  // namespace remesher
