@@ -24,10 +24,12 @@ install(FILES
   src/base/diagnostics.h
   src/base/error.h
   src/base/file.h
+  src/base/frame.h
   src/base/options.h
   src/base/paired_part.h
   src/base/phase_clock.h
   src/base/progress.h
+  src/base/quarter_turn.h
   src/base/report.h
   src/base/triangle_mesh.h
   src/base/types.h
