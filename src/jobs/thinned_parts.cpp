@@ -182,8 +182,8 @@ void requireOneScan(const std::vector<io::Part>& parts, const RemeshOptions& opt
                        slabs.only > slabs.count || (slabs.only > 0 && !options.lods.empty());
   if (isOther || !isNumbered || parts.size() != 1)
     throw Error(ErrorCode::InvalidOption,
-                "Slabs are of one mesh, for a number of vertices or faces, without weld and what "
-                "needs the original; slab is 1 to slabs, without lods.");
+                "Slabs need one mesh and a number of vertices or faces, and no option that needs "
+                "the original, such as weld; slab is a number from 1 to slabs, without lods.");
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ test('slabs that would not be those of one run are refused in a sentence', async
   const slabs = 3, vertices = 300;
   for (const more of [{}, { vertices, slab: 4 }, { vertices, maxError: 1 }, { vertices, weld: 1 },
     { vertices, slab: 1, lods: [0.5], output: 'glb' }]) {
-    await refused({ slabs, ...more }, /^scan\.off: Slabs are of one mesh/);
+    await refused({ slabs, ...more }, /^scan\.off: Slabs need one mesh/);
   }
   await assert.rejects(remesh(shape, { ...options, slabs: 2 }), { code: 'INVALID_OPTION',
     message: /slabs are for files/ });

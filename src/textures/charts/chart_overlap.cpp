@@ -41,8 +41,8 @@ double signedArea(const std::vector<PlaneEdge>& loop) {
   return 0.5 * twice;
 }
 
-// Where the border passes through a vertex: the chart lies from `out`, counterclockwise, to `in`.
-struct Passage {
+// A corner of the border: the chart lies from `out`, counterclockwise, to `in`.
+struct BorderCorner {
   Index vertex;
   Vec2 at, in, out;
 
@@ -52,19 +52,19 @@ struct Passage {
   }
 };
 
-// Whether the border passes a vertex twice, and the chart covers something there both times.
+// Whether two corners of the border share a vertex, and their sectors of the chart overlap.
 bool coversTwiceAtVertex(std::span<const std::vector<PlaneEdge>> border) {
-  std::vector<Passage> passages;
+  std::vector<BorderCorner> corners;
   for (const auto& loop : border)
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const PlaneEdge& in = loop[i == 0 ? loop.size() - 1 : i - 1];
-      passages.push_back({loop[i].from, loop[i].a, in.a, loop[i].b});
+      corners.push_back({loop[i].from, loop[i].a, in.a, loop[i].b});
     }
-  std::sort(passages.begin(), passages.end(),
-            [](const Passage& p, const Passage& q) { return p.vertex < q.vertex; });
-  for (std::size_t i = 0; i < passages.size(); ++i)
-    for (std::size_t j = i + 1; j < passages.size(); ++j) {
-      const Passage &p = passages[i], &q = passages[j];
+  std::sort(corners.begin(), corners.end(),
+            [](const BorderCorner& p, const BorderCorner& q) { return p.vertex < q.vertex; });
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    for (std::size_t j = i + 1; j < corners.size(); ++j) {
+      const BorderCorner &p = corners[i], &q = corners[j];
       if (p.vertex != q.vertex) break;
       if (p.holds(q.out) || q.holds(p.out)) return true;
     }

@@ -29,7 +29,7 @@ bool isTwice(const std::vector<Vec2>& points) {
 
 }  // namespace
 
-TEST_CASE("chart overlap: a border that passes a vertex twice may lie over itself there") {
+TEST_CASE("chart overlap: corners of a border that share a vertex may overlap there") {
   const Vec2 pinch(0, 0);
   const std::vector<Vec2> wide = {pinch, {2, -2}, {4, 0}, {2, 2}};
   const auto with = [&](std::vector<Vec2> second) {
