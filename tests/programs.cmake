@@ -97,7 +97,6 @@ add_executable(unit_tests
   tests/unit/measure/self_intersections_test.cpp
   tests/unit/mesh/canonical_order_test.cpp
   tests/unit/mesh/check_test.cpp
-  tests/unit/mesh/collapse_passes_test.cpp
   tests/unit/mesh/components_test.cpp
   tests/unit/mesh/coordinate_step_test.cpp
   tests/unit/mesh/edge_groups_test.cpp
@@ -113,6 +112,7 @@ add_executable(unit_tests
   tests/unit/mesh/orientation_test.cpp
   tests/unit/mesh/quad_loops_test.cpp
   tests/unit/mesh/space_order_test.cpp
+  tests/unit/mesh/star_passes_test.cpp
   tests/unit/mesh/submesh_test.cpp
   tests/unit/mesh/topology_test.cpp
   tests/unit/mesh/used_vertices_test.cpp

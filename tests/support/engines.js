@@ -12,8 +12,8 @@ import { filesUnder, readText } from './tree.js';
  */
 export const engines = [
   { kind: 'edge collapse', before: 7, aim: 2, files: ['simplify/simplify', 'simplify/thin_out',
-    'mesh/collapse_passes', 'remesh/steps/adapt', 'remesh/steps/coarsen', 'remesh/schemes/rounds',
-    'remesh/quads/shape/collapse', 'remesh/conforming/thinning'] },
+    'mesh/star_passes', 'remesh/steps/adapt', 'remesh/quads/shape/collapse',
+    'remesh/conforming/thinning'] },
   { kind: 'local search around a bad face', before: 5, aim: 1, files: ['remesh/steps/local_search',
     'remesh/accuracy/lower_hausdorff', 'remesh/quads/shape/rewiring'] },
   { kind: 'sampler of distances', before: 10, aim: 3, files: ['geometry/distance_sampler',

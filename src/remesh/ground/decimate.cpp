@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "mesh/collapse_passes.h"
+#include "mesh/star_passes.h"
 #include "remesh/operators/local_operators.h"
 
 namespace remesher {
@@ -167,7 +167,7 @@ class Decimation {
   const FidelityRule& rule_;
   const VertexData<double>& spacing_;
   double share_ = 1;  // of the spacing, in the present pass
-  CollapsePasses passes_;
+  StarPasses passes_;
   VertexData<Vertex> into_;  // the vertex it went into, which may be gone since; or none
   VertexData<int> noted_;    // the last pass that noted a change near it
   int number_ = 1;           // of the present pass at the full spacing

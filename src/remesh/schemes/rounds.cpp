@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "base/patience.h"
+#include "mesh/star_passes.h"
 #include "remesh/gate/angles.h"
 #include "remesh/steps/adapt.h"
 #include "remesh/steps/boundaries.h"
 #include "remesh/steps/delaunay.h"
-#include "remesh/steps/edge_queue.h"
 #include "remesh/steps/lengths.h"
 #include "remesh/steps/split_obtuse.h"
 #include "remesh/steps/sweeps.h"
@@ -84,48 +84,32 @@ struct RoundGoal {
   double above = -kInfinity;
 };
 
-// One round of insertion: edges that are the longest of their triangles, no triangle twice.
-std::size_t splitRound(Run& run, EdgeQueue edges, const RoundGoal& goal) {
-  const HalfedgeMesh& m = run.mesh.mesh();
-  FaceData<char> touched(m.faceCapacity(), 0);
-  std::size_t splits = 0;
-  while (!edges.empty() && edges.largestKey() > goal.above && m.vertexCount() < goal.vertices) {
-    const Halfedge h = edges.pop().edge;
-    const Halfedge t = m.twin(h);
-    if (touched[m.face(h)] || (t && touched[m.face(t)])) continue;
-    if (!isLongest(run, h) || (t && !isLongest(run, t))) continue;
-    if (!proposeSplit(run.mesh, run.projector, h, run.scratch.change) || !commitUnlessFlat(run))
-      continue;
-    ++splits;
-    touched.resize(m.faceCapacity(), 1);
-    m.forEachOutgoing(run.scratch.result, [&](Halfedge around) { touched[m.face(around)] = 1; });
-  }
-  return splits;
+// One round of changes, no triangle twice. tryChange: whether an edge was split or collapsed.
+std::size_t roundOf(Run& run, EdgeQueue edges, const RoundGoal& goal,
+                    bool (*tryChange)(Run&, Halfedge)) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  StarPasses passes(mesh);
+  const auto goesOn = [&] {
+    return edges.largestKey() > goal.above && mesh.vertexCount() != goal.vertices;
+  };
+  return passes.run(edges, goesOn, [&](Halfedge h) {
+    return !passes.hasTouchedFace(h) && tryChange(run, h) ? run.scratch.result : Vertex();
+  });
 }
 
-// Whether the collapse happened. Where one end may not leave its place, the other may.
+// Only edges that are the longest of their triangles are split.
+bool trySplit(Run& run, Halfedge h) {
+  for (const Halfedge side : {h, run.mesh.mesh().twin(h)})
+    if (side && !isLongest(run, side)) return false;
+  return proposeSplit(run.mesh, run.projector, h, run.scratch.change) && commitUnlessFlat(run);
+}
+
+// Where one end may not leave its place, the other may.
 bool tryCollapse(Run& run, Halfedge h) {
   for (const Halfedge direction : {h, run.mesh.mesh().twin(h)})
     if (direction && proposeCollapse(run.mesh, run.projector, direction, run.scratch.change))
       return commit(run);
   return false;
-}
-
-// One round of collapses: no star twice.
-std::size_t collapseRound(Run& run, EdgeQueue edges, const RoundGoal& goal) {
-  const HalfedgeMesh& m = run.mesh.mesh();
-  FaceData<char> touched(m.faceCapacity(), 0);
-  std::size_t collapses = 0;
-  while (!edges.empty() && edges.largestKey() > goal.above && m.vertexCount() > goal.vertices) {
-    const Halfedge h = edges.pop().edge;
-    if (!m.isAlive(h)) continue;
-    const Halfedge t = m.twin(h);
-    if (touched[m.face(h)] || (t && touched[m.face(t)])) continue;
-    if (!tryCollapse(run, h)) continue;
-    ++collapses;
-    m.forEachOutgoing(run.scratch.result, [&](Halfedge around) { touched[m.face(around)] = 1; });
-  }
-  return collapses;
 }
 
 void areaBasedRound(Run& run) {
@@ -144,8 +128,8 @@ void grade(Run& run, const Progress& progress) {
       std::size_t(kMostGraded * std::max(run.sizes.vertices(), double(mesh.vertexCount())));
   for (int i = 0; i < kGradingRounds; ++i) {
     progress.at(double(i) / kGradingRounds);
-    std::size_t changes = splitRound(run, longestFirst(run), {most, kLong});
-    changes += collapseRound(run, shortestFirst(run), {0, -kShort});
+    std::size_t changes = roundOf(run, longestFirst(run), {most, kLong}, trySplit);
+    changes += roundOf(run, shortestFirst(run), {0, -kShort}, tryCollapse);
     areaBasedRound(run);
     if (changes == 0) break;
   }
@@ -172,8 +156,8 @@ bool runRounds(Run& run, const RoundsGoal& goal, const Progress& progress) {
   while (mesh.vertexCount() != goal.vertices && patience.after(changes, missing)) {
     rest.at(share * (double(mesh.vertexCount()) - start) / way);
     changes = mesh.vertexCount() < goal.vertices
-                  ? splitRound(run, splitOrder(run), {goal.vertices})
-                  : collapseRound(run, collapseOrder(run), {goal.vertices});
+                  ? roundOf(run, splitOrder(run), {goal.vertices}, trySplit)
+                  : roundOf(run, collapseOrder(run), {goal.vertices}, tryCollapse);
     missing =
         std::max(mesh.vertexCount(), goal.vertices) - std::min(mesh.vertexCount(), goal.vertices);
     areaBasedRound(run);

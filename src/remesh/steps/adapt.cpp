@@ -6,11 +6,11 @@
 
 #include "base/fires.h"
 #include "base/patience.h"
+#include "mesh/edge_queue.h"
 #include "remesh/gate/angles.h"
 #include "remesh/ground/decimate.h"
 #include "remesh/steps/coarsen.h"
 #include "remesh/steps/delaunay.h"
-#include "remesh/steps/edge_queue.h"
 #include "remesh/steps/lengths.h"
 #include "remesh/steps/sweeps.h"
 #include "remesh/steps/valence.h"

@@ -5,7 +5,7 @@
 
 #include "base/fires.h"
 #include "base/patience.h"
-#include "remesh/steps/edge_queue.h"
+#include "mesh/star_passes.h"
 #include "remesh/steps/lengths.h"
 
 namespace remesher {
@@ -23,10 +23,7 @@ class Coarsening {
   };
 
   Coarsening(Run& run, const Goal& goal, const Progress& progress)
-      : run_(run),
-        goal_(goal),
-        progress_(progress),
-        changed_(run.mesh.mesh().vertexCapacity(), 1) {}
+      : run_(run), goal_(goal), progress_(progress), passes_(run.mesh.mesh()) {}
 
   void run() {
     Patience patience;
@@ -44,28 +41,23 @@ class Coarsening {
 
   // The shortest first.
   EdgeQueue worthATry() const {
-    const HalfedgeMesh& mesh = run_.mesh.mesh();
     VertexSizes sizes(run_);
-    return {mesh, [&](Halfedge h) { return changed_[mesh.origin(h)] || changed_[mesh.tip(h)]; },
+    return {run_.mesh.mesh(), [&](Halfedge h) { return passes_.isTouched(h); },
             [&](Halfedge h) { return -sizes.relativeLength(h); }};
   }
 
   std::size_t pass() {
-    const HalfedgeMesh& mesh = run_.mesh.mesh();
     EdgeQueue edges = worthATry();
     const std::size_t count = edges.size();
-    changed_.assign(mesh.vertexCapacity(), 0);
-    std::size_t collapses = 0;
-    while (!edges.empty() && isTooMany() && !areProofsSpent(run_)) {
+    const auto goesOn = [&] {
+      if (!isTooMany() || areProofsSpent(run_)) return false;
       const std::size_t i = count - edges.size();
       if (i % kTick == 0) progress_.at(1 - left_ + kPassShare * left_ * double(i) / double(count));
-      const Halfedge h = edges.pop().edge;
-      if (!mesh.isAlive(h) || changed_[mesh.origin(h)] || changed_[mesh.tip(h)]) continue;
-      if (!collapse(h)) continue;
-      ++collapses;
-      changed_[run_.scratch.result] = 1;
-      mesh.forEachNeighbor(run_.scratch.result, [&](Vertex w) { changed_[w] = 1; });
-    }
+      return true;
+    };
+    const std::size_t collapses = passes_.run(edges, goesOn, [&](Halfedge h) {
+      return !passes_.isTouched(h) && collapse(h) ? run_.scratch.result : Vertex();
+    });
     left_ *= 1 - kPassShare;
     return collapses;
   }
@@ -85,7 +77,7 @@ class Coarsening {
   Goal goal_;
   Progress progress_;
   double left_ = 1;  // of the work, as far as can be told
-  VertexData<char> changed_;
+  StarPasses passes_;
 };
 
 }  // namespace

@@ -15,8 +15,8 @@
 #include "geometry/triangle_meeting.h"
 #include "geometry/triangle_tree.h"
 #include "measure/self_intersections.h"
-#include "mesh/collapse_passes.h"
 #include "mesh/euler_operators.h"
+#include "mesh/star_passes.h"
 
 namespace remesher {
 
@@ -64,7 +64,7 @@ class Cleaner {
   std::vector<Merger> run() {
     isWorthATry_.assign(mesh_.vertexCapacity(), 1);
     std::vector<Merger> mergers;
-    CollapsePasses passes(mesh_);
+    StarPasses passes(mesh_);
     const auto merge = [&](Vertex from) {
       const Vertex into = tryVertex(from);
       if (into) mergers.push_back({from, into});

@@ -3,7 +3,8 @@
 // negative length. A heap, since mostly few edges are taken.
 #pragma once
 
-#include <algorithm>
+#include <queue>
+#include <utility>
 #include <vector>
 
 #include "mesh/halfedge_mesh.h"
@@ -26,11 +27,12 @@ class EdgeQueue {
   // The edges for which isWanted holds. key: of an edge.
   template <class Wanted, class Key>
   EdgeQueue(const HalfedgeMesh& mesh, Wanted isWanted, Key key) {
+    std::vector<RankedEdge> edges;
     for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
       const Halfedge h(i);
-      if (mesh.isEdge(h) && isWanted(h)) edges_.push_back({key(h), h, mesh.origin(h), mesh.tip(h)});
+      if (mesh.isEdge(h) && isWanted(h)) edges.push_back({key(h), h, mesh.origin(h), mesh.tip(h)});
     }
-    std::make_heap(edges_.begin(), edges_.end());
+    edges_ = std::priority_queue<RankedEdge>({}, std::move(edges));
   }
 
   template <class Key>
@@ -40,17 +42,16 @@ class EdgeQueue {
 
   bool empty() const { return edges_.empty(); }
   std::size_t size() const { return edges_.size(); }
-  double largestKey() const { return edges_.front().key; }
+  double largestKey() const { return edges_.top().key; }
 
   RankedEdge pop() {
-    std::pop_heap(edges_.begin(), edges_.end());
-    const RankedEdge edge = edges_.back();
-    edges_.pop_back();
+    const RankedEdge edge = edges_.top();
+    edges_.pop();
     return edge;
   }
 
  private:
-  std::vector<RankedEdge> edges_;
+  std::priority_queue<RankedEdge> edges_;
 };
 
 }  // namespace remesher
