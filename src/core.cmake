@@ -348,6 +348,7 @@ set(small
   src/remesh/transfer/chart_keeper.cpp
   src/remesh/transfer/input_attributes.cpp
   src/remesher.cpp
+  src/repair/body_mesh.cpp
   src/repair/body_union.cpp
   src/repair/boolean.cpp
   src/repair/diagnosis.cpp

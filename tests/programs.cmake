@@ -230,6 +230,7 @@ add_executable(unit_tests
   tests/unit/remesh/symmetry/mirroring_test.cpp
   tests/unit/remesh/transfer/chart_keeper_test.cpp
   tests/unit/remesher_test.cpp
+  tests/unit/repair/body_mesh_test.cpp
   tests/unit/repair/body_union_test.cpp
   tests/unit/repair/boolean_test.cpp
   tests/unit/repair/fineness_test.cpp

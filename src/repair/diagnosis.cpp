@@ -4,12 +4,13 @@
 #include <algorithm>
 
 #include "measure/self_intersections.h"
+#include "repair/body_mesh.h"
 #include "repair/stitch.h"
 
 namespace remesher {
 
 Diagnosis diagnose(const TriangleMesh& mesh) {
-  Diagnosis result{buildMesh(mesh), {}, selfIntersections(mesh), countUnbalancedEdges(mesh)};
+  Diagnosis result{buildBodies(mesh), {}, selfIntersections(mesh), countUnbalancedEdges(mesh)};
   std::vector<char> isCrossed(mesh.triangleCount(), 0);
   for (const Index t : result.crossings) isCrossed[t] = 1;
   result.pieces = piecesOf(result.built, isCrossed);

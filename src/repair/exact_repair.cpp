@@ -11,6 +11,7 @@
 #include "geometry/triangle.h"
 #include "measure/self_intersections.h"
 #include "mesh/used_vertices.h"
+#include "repair/body_mesh.h"
 #include "repair/body_union.h"
 #include "repair/diagnosis.h"
 #include "repair/holes/turn_over.h"
@@ -274,7 +275,7 @@ std::optional<ExactRepair> exactlyRepaired(const TriangleMesh& input, const Exac
 }
 
 bool faceOutwards(TriangleMesh& mesh) {
-  const BuiltMesh built = buildMesh(mesh);
+  const BuiltMesh built = buildBodies(mesh);
   const std::vector<char> isCrossed(mesh.triangleCount(), 0);
   const std::vector<SurfacePiece> pieces = piecesOf(built, isCrossed).pieces;
   if (std::none_of(pieces.begin(), pieces.end(), isInsideOut)) return false;
@@ -294,7 +295,7 @@ ExactRepair leftAlone(const TriangleMesh& input) {
 void fillCavities(ExactRepair& repair, Filled filled) {
   if (filled == Filled::Made && repair.isOfCavity.empty()) return;
   if (LoosePieces(repair.mesh.positions, repair.mesh.indices).all().size() < 2) return;
-  const BuiltMesh built = buildMesh(repair.mesh);
+  const BuiltMesh built = buildBodies(repair.mesh);
   const std::vector<char> isCrossed(repair.mesh.triangleCount(), 0);
   const auto [ofFace, pieces] = piecesOf(built, isCrossed);
   std::vector<char> isFilled(pieces.size(), 0);
