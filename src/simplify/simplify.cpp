@@ -6,13 +6,13 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <queue>
 #include <utility>
 #include <vector>
 
 #include "base/options.h"
 #include "geometry/quadric.h"
 #include "geometry/triangle.h"
+#include "mesh/edge_queue.h"
 #include "mesh/euler_operators.h"
 #include "simplify/attribute_quadrics.h"
 
@@ -35,18 +35,11 @@ const double kSharp = std::cos(radians(kFeatureAngle));  // between normals
 // The cosine of the largest angle by which a collapse may turn a triangle, if others go.
 constexpr double kTurned = 0.5;
 
-struct Offer {
-  double cost;  // the sum times √area: a large area shows errors more
-  Halfedge halfedge;
-  Vertex from, into;
+// The key is the negative cost: the sum times √area, since a large area shows errors more.
+struct Offer : RankedEdge {
   Index stamp;        // the sum of both stamps
   Vec3 place;         // of the vertex that remains
   double onLoop = 0;  // and where that is on a boundary
-
-  // The cheapest comes out of the queue first.
-  bool operator<(const Offer& other) const {
-    return cost != other.cost ? cost > other.cost : halfedge > other.halfedge;
-  }
 };
 
 // Free: inside and on no seam. Seam: on a seam or a boundary. Fixed: where these meet or end.
@@ -79,10 +72,9 @@ class Simplification {
     leastTurned_ = leastTurned;
     for (Index i = 0; i < mesh_.halfedgeCapacity(); ++i) offer(Halfedge(i));
     while (mesh_.vertexCount() > vertices && !queue_.empty()) {
-      const Offer offered = queue_.top();
-      queue_.pop();
-      if (!isCurrent(offered) || !isLegal(offered.halfedge) || turns(offered)) continue;
-      costs_.push_back(costs_.empty() ? offered.cost : std::max(offered.cost, costs_.back()));
+      const Offer offered = queue_.pop();
+      if (!isCurrent(offered) || !isLegal(offered.edge) || turns(offered)) continue;
+      costs_.push_back(costs_.empty() ? -offered.key : std::max(-offered.key, costs_.back()));
       collapse(offered);
     }
   }
@@ -168,9 +160,9 @@ class Simplification {
 
   // Stamps only grow: if their sum is the same, so are both.
   bool isCurrent(const Offer& offered) const {
-    const Halfedge h = offered.halfedge;
-    return mesh_.isAlive(h) && mesh_.origin(h) == offered.from && mesh_.tip(h) == offered.into &&
-           stamps_[offered.from] + stamps_[offered.into] == offered.stamp;
+    const auto& [key, h, from, into] = static_cast<const RankedEdge&>(offered);
+    return mesh_.isAlive(h) && mesh_.origin(h) == from && mesh_.tip(h) == into &&
+           stamps_[from] + stamps_[into] == offered.stamp;
   }
 
   void offer(Halfedge h) {
@@ -182,26 +174,25 @@ class Simplification {
     if (mesh_.isBoundary(from) && !mesh_.isBoundary(h)) return;
     Quadric sum = quadrics_[from];
     sum.add(quadrics_[into]);
-    Offer offered{sum.at(at(into)),        h, from, into, stamps_[from] + stamps_[into],
-                  surface_.positions[into]};
+    double cost = sum.at(at(into));
+    Offer offered{{0, h, from, into}, stamps_[from] + stamps_[into], surface_.positions[into]};
     if (attributes_) {
       for (const auto& [going, staying] : wedgesAlong(h))
-        offered.cost += attributes_->cost(going, staying, at(into));
-      for (const Index wedge : wedgesBeside(h))
-        offered.cost += attributes_->cost(wedge, wedge, at(into));
+        cost += attributes_->cost(going, staying, at(into));
+      for (const Index wedge : wedgesBeside(h)) cost += attributes_->cost(wedge, wedge, at(into));
     } else if (freedom_[from] == freedom_[into] && mesh_.isBoundary(h)) {
       const BoundaryPlaces::Place best = surface_.boundary->best(sum, center_, from, into);
-      offered.cost = sum.at(best.position - center_);
+      cost = sum.at(best.position - center_);
       offered.place = best.position;
       offered.onLoop = best.at;
     } else if (freedom_[from] == freedom_[into]) {
       const Vec3 best = sum.square.ldlt().solve(-sum.linear);
-      if (sum.at(best) < offered.cost) {
-        offered.cost = sum.at(best);
+      if (sum.at(best) < cost) {
+        cost = sum.at(best);
         offered.place = best + center_;
       }
     }
-    offered.cost = std::max(offered.cost, 0.0) * std::sqrt(sum.area);
+    offered.key = -std::max(cost, 0.0) * std::sqrt(sum.area);
     queue_.push(offered);
   }
 
@@ -256,7 +247,7 @@ class Simplification {
 
   // Whether a triangle that remains would turn too far or become a line.
   bool turns(const Offer& offered) const {
-    const Vertex from = offered.from, into = offered.into;
+    const Vertex from = offered.from, into = offered.to;
     bool result = false;
     for (const Vertex moved : {from, into})
       mesh_.forEachOutgoing(moved, [&](Halfedge h) {
@@ -271,7 +262,7 @@ class Simplification {
   }
 
   void collapse(const Offer& offered) {
-    const Halfedge h = offered.halfedge;
+    const Halfedge h = offered.edge;
     const Quadric gone = quadrics_[offered.from];
     for (const Halfedge side : {h, mesh_.twin(h)}) {
       if (!side) continue;
@@ -282,7 +273,7 @@ class Simplification {
     }
     if (attributes_) mergeWedges(h);
     const bool slides =
-        !attributes_ && mesh_.isBoundary(h) && freedom_[offered.into] == Freedom::Seam;
+        !attributes_ && mesh_.isBoundary(h) && freedom_[offered.to] == Freedom::Seam;
     const Vertex into = EulerOperators(surface_.mesh).collapse(h);
     surface_.positions[into] = offered.place;
     if (slides) surface_.boundary->move(into, offered.onLoop);
@@ -365,7 +356,7 @@ class Simplification {
   VertexData<Quadric> quadrics_;
   VertexData<Index> stamps_;
   VertexData<Freedom> freedom_;
-  std::priority_queue<Offer> queue_;
+  EdgeHeap<Offer> queue_;
   std::vector<Halfedge> around_;
   std::vector<double> costs_;
 };
