@@ -48,22 +48,26 @@ class CrossingCycles {
     if (const Halfedge twin = mesh_.twin(h)) isTree_[twin] = 1;
   }
 
+  // A boundary loop counts as one vertex, which all of its vertices are reached with: a way through
+  // the inside from boundary to boundary would part the triangles, and keep their tree from some.
   void growVertexTree() {
     VertexData<char> seen(mesh_.vertexCapacity(), 0);
-    std::vector<Vertex> queue = {Vertex(0)};
-    seen[Vertex(0)] = 1;
-    for (std::size_t i = 0; i < queue.size(); ++i) {
-      const auto reach = [&](Vertex v, Halfedge h) {
-        if (seen[v]++ > 0) return;
+    std::vector<Vertex> queue;
+    const auto reach = [&](Vertex v) {
+      if (seen[v]) return false;
+      for (; !seen[v]; v = mesh_.tip(mesh_.outgoing(v))) {
         seen[v] = 1;
-        take(h);
         queue.push_back(v);
-      };
+        if (!mesh_.isBoundary(v)) break;
+      }
+      return true;
+    };
+    reach(Vertex(0));
+    for (std::size_t i = 0; i < queue.size(); ++i)
       mesh_.forEachOutgoing(queue[i], [&](Halfedge h) {
-        reach(mesh_.tip(h), h);
-        reach(mesh_.origin(HalfedgeMesh::prev(h)), HalfedgeMesh::prev(h));
+        if (reach(mesh_.tip(h))) take(h);
+        if (reach(mesh_.origin(HalfedgeMesh::prev(h)))) take(HalfedgeMesh::prev(h));
       });
-    }
   }
 
   void growFaceTree() {

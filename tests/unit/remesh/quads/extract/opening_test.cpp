@@ -117,6 +117,22 @@ TEST_CASE("opening: a thin handle is cut for the map and joined again") {
   CHECK(quads.vertices.size() == whole + simpler.added);
 }
 
+TEST_CASE("opening: no cycle that divides an open surface is taken for a handle") {
+  const TriangleMesh ring = thinRing();
+  TriangleMesh torn;
+  torn.positions = ring.positions;
+  const auto isInHole = [&](Index v) {
+    return ring.positions[v].x() > 0.5 && ring.positions[v].z() > 0.06;
+  };
+  for (auto f = ring.indices.begin(); f != ring.indices.end(); f += 3)
+    if (!std::all_of(f, f + 3, isInHole)) torn.indices.insert(torn.indices.end(), f, f + 3);
+  const OriginalSurface surface = shapes::surfaceOf(torn, shapes::Features::None);
+  const WorkingMesh ground(surface);
+  REQUIRE(kindOf(ground.mesh()) == SurfaceKind{-1, 1, 1});
+  CHECK(shortestCycle(ground, 0.9 * kTube).empty());
+  CHECK(shortestCycle(ground, 1.01 * kTube).size() == 8);
+}
+
 TEST_CASE("opening: only the vertices of a quad within another move to a small hole") {
   const OriginalSurface surface = shapes::surfaceOf(tornBall());
   const WorkingMesh ground(surface);
