@@ -114,7 +114,9 @@ CurveChoice chooseCurves(const BuiltMesh& built, const TriangleMesh& input,
   if (!options.quads) edges.flats = flats;
   if (scale.followed > 1) add(edges.free, std::exchange(edges.fixed, {}));
   CurveRules rules;
-  const bool mayBeNear = options.quads && !flats.empty();
+  // Also where flat sides have too many corners to be bordered.
+  const bool hasFlats = !flats.empty() || scale.flats == Flats::Unknown;
+  const bool mayBeNear = options.quads && hasFlats;
   const double followed = scale.followed * (mayBeNear ? kNearerForQuads : 1);
   SimplifiedCurves simplified =
       simplifyCurves(built.mesh, built.positions, edges, followed * scale.size);

@@ -29,6 +29,18 @@ double lowest(const TriangleMesh& mesh) {
   return least;
 }
 
+// The top of a bar drops by a narrow slope.
+TriangleMesh barWithSlope() {
+  constexpr double kWidth = 4, kHeight = 1, kStep = 0.07;
+  const std::vector<Vec2> outline = {{0, 0},
+                                     {kWidth, 0},
+                                     {kWidth, kHeight},
+                                     {kWidth / 2 + kStep, kHeight},
+                                     {kWidth / 2, kHeight + kStep},
+                                     {0, kHeight + kStep}};
+  return shapes::extruded(outline, shapes::kBarLength);
+}
+
 }  // namespace
 
 TEST_CASE("flat sides: a bottom that runs into fillets has no dent at any number of vertices") {
@@ -60,14 +72,7 @@ TEST_CASE("flat sides: sides of quads run along a bottom's rims, where these ben
 }
 
 TEST_CASE("curves: quads follow both edges of a slope a fifth of a side wide") {
-  constexpr double kWidth = 4, kHeight = 1, kStep = 0.07;
-  const std::vector<Vec2> outline = {{0, 0},
-                                     {kWidth, 0},
-                                     {kWidth, kHeight},
-                                     {kWidth / 2 + kStep, kHeight},
-                                     {kWidth / 2, kHeight + kStep},
-                                     {0, kHeight + kStep}};
-  const TriangleMesh bar = shapes::extruded(outline, shapes::kBarLength);
+  const TriangleMesh bar = barWithSlope();
   RemeshOptions options;
   options.quads = true;
   for (const Index vertices : {400, 600, 900}) {
@@ -75,6 +80,18 @@ TEST_CASE("curves: quads follow both edges of a slope a fifth of a side wide") {
     options.vertices = vertices;
     const TriangleMesh quads = remeshSurface(bar, options, {}).mesh;
     CHECK(measureFidelity(bar, quads).hausdorff < 0.01);
+  }
+}
+
+TEST_CASE("curves: near edges stay for quads where flat sides have too many corners") {
+  const BuiltMesh built = buildMesh(barWithSlope());
+  RemeshOptions options;
+  options.quads = true;
+  for (const Flats flats : {Flats::Bordered, Flats::Unknown}) {
+    const CurveChoice choice = chooseCurves(built, {}, options, {0.5, {}, {}, flats});
+    for (Index i = 0; i < built.mesh.halfedgeCapacity(); ++i)
+      if (borderAlong(built.mesh, built.positions, Halfedge(i)).meanBend() > 0.1)
+        CHECK(choice.curves.isCurve(Halfedge(i)));
   }
 }
 
