@@ -67,6 +67,8 @@ class AtlasPainting {
       surfaces_.back().takeNormals();
       surfaces_.back().joinFacings();
     }
+    if (showFacets())
+      for (NewSurface& surface : surfaces_) surface.dropNormals();
   }
 
   void paintClass(Index number, const Progress& progress) {
@@ -81,7 +83,9 @@ class AtlasPainting {
     std::vector<char> rims = placed(atlas);
     for (; rims.empty(); rims = placed(atlas)) atlas.size *= 2;
     atlas.finer = std::sqrt(texels / std::max(1.0, paintedTexels(atlas)));
-    if (!looksOf(number).front().isUnlit) orient(atlas);
+    const bool isLit =
+        !looksOf(number).front().isUnlit && surfaces_[atlas.triangles.front().part].hasNormals();
+    if (isLit) orient(atlas);
     report_.size = atlas.size;
     const std::vector<io::Material> looks = looksOf(number);
     const bool isOpaque = input_.onto ? areOpaque(looks) : looks.front().isOpaque;
@@ -91,7 +95,7 @@ class AtlasPainting {
     Painting painting = paint(canvasOf(atlas, rims), sources_, rules, progress);
     report_.notFound =
         painting.texels > 0 ? 100.0 * double(painting.lost) / double(painting.texels) : 0;
-    remember(number, std::move(painting));
+    remember(number, std::move(painting), isLit);
   }
 
   void finish() {
@@ -118,6 +122,15 @@ class AtlasPainting {
     for (Index p = 0; p < input_.partClasses.size(); ++p)
       for (Index g = 0; g < input_.partClasses[p].size(); ++g)
         if (input_.partClasses[p][g] == number) visit(p, g);
+  }
+
+  // Whether all parts look like their originals without normals. Coarser levels share the maps, but
+  // do not lie on the facets.
+  bool showFacets() const {
+    if (input_.onto || !input_.options.lods.empty()) return false;
+    for (std::size_t i = 0; i < surfaces_.size(); ++i)
+      if (!showsFacets(surfaces_[i].mesh(), *sources_[input_.originalOf[i]])) return false;
+    return true;
   }
 
   std::vector<io::Material> looksOf(Index number) const {
@@ -349,7 +362,7 @@ class AtlasPainting {
   }
 
   // Adds the painted maps as a material; a value that is the same everywhere stays a factor.
-  void remember(Index number, Painting painting) {
+  void remember(Index number, Painting painting, bool bendsNormals) {
     const std::vector<io::Material> looks = looksOf(number);
     const io::Material& first = looks.front();
     const auto isConstant = [&](const auto& isSame) {
@@ -383,7 +396,7 @@ class AtlasPainting {
       made.emissiveMap = add("emissive", std::move(painting.emissive), typeFor(Content::Opaque));
       made.emissive.setOnes();
     }
-    if (!first.isUnlit && !isFlat(painting.normal))
+    if (bendsNormals && !isFlat(painting.normal))
       made.normalMap = add("normal", std::move(painting.normal), typeFor(Content::Normals));
     made.normalScale = 1;
     if (input_.onto) made = asOwn(std::move(made), looks);

@@ -39,10 +39,11 @@ function colouredBox(cells) {
 
 /** How far the light at the corners of a baked box is from their sides' colours, at most. */
 function strayLight({ primitive }, image) {
-  return Math.max(...primitive.indices.map((vertex) => {
-    const normal = primitive.NORMAL[vertex];
-    const axis = normal.findIndex((v) => Math.abs(v) > 0.9);
-    const expected = sideColour(axis, Math.sign(normal[axis]));
+  return Math.max(...primitive.indices.map((vertex, corner) => {
+    const triangle = primitive.indices.slice(corner - corner % 3, corner - corner % 3 + 3)
+      .map((v) => primitive.POSITION[v]);
+    const axis = [0, 1, 2].find((k) => triangle.every((p) => p[k] === triangle[0][k]));
+    const expected = sideColour(axis, Math.sign(triangle[0][axis]));
     const seen = bilinear(image, primitive.TEXCOORD_0[vertex]);
     return Math.max(...expected.map((value, k) => Math.abs(linear(seen[k]) - value)));
   }));

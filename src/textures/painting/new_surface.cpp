@@ -146,7 +146,7 @@ TriangleMesh NewSurface::painted() const {
   const auto addCorner = [&](Index corner) {
     const Index h = cornerInQuad(corner).value_or(corner);
     const Index v = mesh_.indices[h];
-    const Vec3& n = normal(h);
+    const Vec3 n = hasNormals_ ? normal(h) : Vec3::Zero();
     const Vec2& uv = texcoords_[h];
     const Eigen::Vector4d& t = tangents_[h];
     const CopyKey key = {double(v), n.x(), n.y(), n.z(), uv.x(),
@@ -168,8 +168,9 @@ TriangleMesh NewSurface::painted() const {
       if (!mesh_.groups.empty() && h % 3 == 0) result.groups.push_back(mesh_.groups[h / 3]);
     }
   }
-  for (Attribute* const made : {&normals, &tangents, &texcoords})
-    if (made != &tangents || hasTangents_) result.attributes.push_back(std::move(*made));
+  if (hasNormals_) result.attributes.push_back(std::move(normals));
+  if (hasTangents_) result.attributes.push_back(std::move(tangents));
+  result.attributes.push_back(std::move(texcoords));
   return result;
 }
 

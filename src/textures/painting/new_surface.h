@@ -46,6 +46,10 @@ class NewSurface {
   // Takes the mesh's own normals, if it has any, for light.
   void takeNormals();
 
+  // Leaves normals and tangents out of the painted mesh: viewers shade its triangles flat.
+  void dropNormals() { hasNormals_ = hasTangents_ = false; }
+  bool hasNormals() const { return hasNormals_; }
+
   // Gives all sides of the sharp edges at a vertex one direction to look in, so that they find one
   // place on a surface that is not exactly there.
   void joinFacings();
@@ -69,7 +73,7 @@ class NewSurface {
   std::vector<CornerNormals> normals_;
   std::vector<Vec2> texcoords_;
   std::vector<Eigen::Vector4d> tangents_;
-  bool hasTangents_ = false;
+  bool hasNormals_ = true, hasTangents_ = false;
 };
 
 }  // namespace remesher

@@ -50,6 +50,9 @@ class PaintSource {
   // The triangles around the place of the triangle's corner k.
   std::span<const InputTriangle> around(InputTriangle triangle, std::size_t k) const;
 
+  // Whether each triangle is shaded as a flat facet, without a map of normals.
+  bool isFaceted() const;
+
   Vec3 position(const InputPlace& place) const;
   Vec3 shadingNormal(const InputPlace& place) const;  // without the normal map; unit
   // The mean look over places on one triangle. Maps are looked up at each place, all else in the

@@ -94,6 +94,15 @@ void PaintSource::shade() {
   }
 }
 
+bool PaintSource::isFaceted() const {
+  constexpr double kRounding = 1e-3;
+  for (const io::Material& material : input_.materials)
+    if (material.normalMap) return false;
+  for (Index h = 0; h < normals_.size(); ++h)
+    if ((normals_[h] - faceNormals_[InputTriangle(h / 3)]).norm() > kRounding) return false;
+  return true;
+}
+
 void PaintSource::orient() {
   const Attribute* const given = findAttribute(mesh(), "TANGENT");
   if (given != nullptr && given->itemSize == 4) {

@@ -17,6 +17,8 @@ constexpr double kNearBy = 0.05, kFirstLook = 0.0005;
 // How far inside of its triangle a corner's place is looked for, as a share of the way to its
 // middle.
 constexpr double kInside = 0.02;
+// The least cosine between the normal of a triangle and of the facet that it lies on.
+const double kOnFacet = std::cos(radians(1));
 
 }  // namespace
 
@@ -67,6 +69,16 @@ std::vector<InputPlace> placesOn(const TriangleMesh& mesh, const PaintSource& so
       places.push_back(search.at((1 - kInside) * corner + kInside * middle, normal));
   }
   return places;
+}
+
+bool showsFacets(const TriangleMesh& mesh, const PaintSource& source) {
+  if (!source.isFaceted()) return false;
+  const std::vector<InputPlace> places = placesOn(mesh, source);
+  for (std::size_t h = 0; h < places.size(); ++h) {
+    const auto [a, b, c] = cornersOf(mesh, h / 3);
+    if (source.faceNormal(places[h].triangle).dot(unitNormal(a, b, c)) < kOnFacet) return false;
+  }
+  return true;
 }
 
 }  // namespace remesher

@@ -30,4 +30,8 @@ class PlaceSearch {
 // a sharp edge each side finds its own.
 std::vector<InputPlace> placesOn(const TriangleMesh& mesh, const PaintSource& source);
 
+// Whether the source is shaded facet by facet, and each triangle of the mesh lies on one of these
+// facets: without normals the mesh then looks like the source.
+bool showsFacets(const TriangleMesh& mesh, const PaintSource& source);
+
 }  // namespace remesher

@@ -55,14 +55,16 @@ std::vector<std::vector<InputPlace>> placesOf(const TriangleMesh& mesh) {
   return {places};
 }
 
-// The model painted at a size, its parts as they are.
-io::Model painted(io::Model model, std::vector<io::Part> given) {
+// The model painted at a size, its parts as they are, but for the height of their middle.
+io::Model painted(io::Model model, std::vector<io::Part> given, RemeshOptions options = {},
+                  double raised = 0) {
   const Repaint repaint(model, std::move(given), {halves()});
   const bool areQuads = model.parts.front().mesh.isQuads;
   model.parts = repaint.bareParts();
   model.parts.front().mesh.isQuads = areQuads;
+  std::vector<Vec3>& positions = model.parts.front().mesh.positions;
+  positions[positions.size() / 2].z() += raised;
   const TriangleMesh bare = model.parts.front().mesh;
-  RemeshOptions options;
   options.textureSize = 128;
   repaint.paint(model, placesOf(bare), options, {});
   return model;
@@ -105,4 +107,18 @@ TEST_CASE("repaint: paint comes from the parts as they were given, however repai
     const bool isRed = colors.texels[4 * std::size_t{texel}] > 127;
     if (std::abs(middle.x() - 0.5) > 0.05) CHECK(isRed == (middle.x() < 0.5));
   }
+}
+
+TEST_CASE("repaint: triangles on the facets of a model without normals need no normals either") {
+  const auto hasNormals = [](const io::Model& model) {
+    const bool hasMap = bool(model.paintings.front().normalMap);
+    CHECK(hasMap == (findAttribute(model.parts.front().mesh, "NORMAL") != nullptr));
+    return hasMap;
+  };
+  const io::Model model = modelOf(sheet(6));
+  CHECK(!hasNormals(painted(model, {})));
+  CHECK(hasNormals(painted(model, {}, {}, 0.1)));
+  RemeshOptions levels;
+  levels.lods = {0.5};
+  CHECK(hasNormals(painted(model, {}, levels)));
 }
