@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <utility>
 
@@ -11,9 +12,9 @@ namespace remesher {
 namespace {
 
 constexpr int kLimbBits = 32;
-constexpr int kDoubleBits = std::numeric_limits<double>::digits;
-
-int floorOfQuotient(int a, int b) { return a / b - (a % b < 0 ? 1 : 0); }
+constexpr int kFractionBits = std::numeric_limits<double>::digits - 1;
+constexpr int kLowestExponent = std::numeric_limits<double>::min_exponent - 1 - kFractionBits;
+constexpr std::array kPlaces = {1.0, 0x1p-32, 0x1p-64};  // of limbs, from the highest down
 
 // About x / w, to nearly double precision.
 double roughQuotient(const Dyadic& x, const Dyadic& w) {
@@ -55,11 +56,14 @@ Dyadic& Dyadic::operator=(Dyadic&& other) noexcept {
 
 Dyadic::Dyadic(double finite) {
   if (finite == 0) return;
-  int exponent = 0;
-  const double fraction = std::frexp(std::abs(finite), &exponent);
-  const auto digits = static_cast<std::uint64_t>(std::ldexp(fraction, kDoubleBits));
-  exponent -= kDoubleBits;
-  exponent_ = floorOfQuotient(exponent, kLimbBits);
+  const double size = std::abs(finite);
+  std::uint64_t bits;
+  std::memcpy(&bits, &size, sizeof bits);  // std::bit_cast is not everywhere
+  constexpr std::uint64_t kOne = std::uint64_t{1} << kFractionBits;
+  const int power = int(bits >> kFractionBits);  // 0 for numbers without the leading digit
+  const std::uint64_t digits = bits % kOne + (power > 0 ? kOne : 0);
+  const int exponent = kLowestExponent + std::max(power, 1) - 1;
+  exponent_ = exponent >> 5;  // in limbs, rounded down
   const int shift = exponent - kLimbBits * exponent_;
   const std::uint64_t low = (digits & 0xffffffffu) << shift, high = (digits >> kLimbBits) << shift;
   const std::uint64_t middle = (low >> kLimbBits) + (high & 0xffffffffu);
@@ -87,17 +91,12 @@ void Dyadic::trim() {
   exponent_ += static_cast<std::int32_t>(first);
 }
 
-std::int64_t Dyadic::limbAt(int place) const {
-  const int k = place - exponent_;
-  return k < 0 || k >= static_cast<int>(size_) ? 0 : limbs()[k];
-}
-
 Dyadic::Rounded Dyadic::rounded() const {
   if (size_ == 0) return {0, 0};
   const int top = exponent_ + static_cast<int>(size_) - 1;
   double value = 0;
-  for (int k = 0; k < 3; ++k)
-    value += std::ldexp(static_cast<double>(limbAt(top - k)), -kLimbBits * k);
+  for (std::size_t k = 0; k < std::min<std::size_t>(size_, kPlaces.size()); ++k)
+    value += limbs()[size_ - 1 - k] * kPlaces[k];
   int exponent = 0;
   const double fraction = std::frexp(value, &exponent);
   return {sign_ * fraction, exponent + kLimbBits * top};
@@ -119,18 +118,24 @@ Dyadic Dyadic::sum(const Dyadic& x, const Dyadic& y, int ySign) {
   const int end =
       std::max(x.exponent_ + static_cast<int>(x.size_), y.exponent_ + static_cast<int>(y.size_));
   Dyadic result = zeros(static_cast<std::size_t>(end - low) + 1, low);
+  result.sign_ = x.sign_;
   Limb* const limbs = result.limbs();
+  std::copy_n(x.limbs(), x.size_, limbs + (x.exponent_ - low));
+  const Limb* const others = y.limbs();
+  Limb* const from = limbs + (y.exponent_ - low);
+  const std::int64_t factor = x.sign_ * ySign;
   std::int64_t carry = 0;
-  for (std::uint32_t k = 0; k < result.size_; ++k) {
-    const int place = low + static_cast<int>(k);
-    carry += x.sign_ * x.limbAt(place) + ySign * y.limbAt(place);
-    limbs[k] = static_cast<Limb>(carry);
+  std::uint32_t k = 0;
+  for (Limb* limb = from; limb != limbs + result.size_ && (k < y.size_ || carry != 0); ++limb) {
+    carry += *limb;
+    if (k < y.size_) carry += factor * others[k++];
+    *limb = static_cast<Limb>(carry);
     carry >>= kLimbBits;
   }
   if (carry < 0) {  // two's complement
-    result.sign_ = -1;
+    result.sign_ = ySign;
     std::uint64_t one = 1;
-    for (std::uint32_t k = 0; k < result.size_; ++k) {
+    for (k = 0; k < result.size_; ++k) {
       one += static_cast<Limb>(~limbs[k]);
       limbs[k] = static_cast<Limb>(one);
       one >>= kLimbBits;

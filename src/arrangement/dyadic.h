@@ -43,8 +43,6 @@ class Dyadic {
   void takeNear(const Dyadic& other);
   static Dyadic sum(const Dyadic& x, const Dyadic& y, int ySign);
   static Dyadic zeros(std::size_t size, int exponent);
-  // The limb that counts 2^(32 place).
-  std::int64_t limbAt(int place) const;
   Limb* limbs() { return size_ <= kNear ? near_.data() : far_.data(); }
   const Limb* limbs() const { return size_ <= kNear ? near_.data() : far_.data(); }
   void trim();  // takes off limbs that are zero at both ends

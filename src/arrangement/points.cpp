@@ -116,7 +116,7 @@ bool PointPool::areEqual(const Exact& a, const Exact& b) const {
   return true;
 }
 
-Index PointPool::add(Exact point) {
+Index PointPool::add(Exact point, const GivenLine& line) {
   if (point[3].sign() < 0)
     for (Dyadic& coordinate : point) coordinate = -coordinate;
   Vec3 position;
@@ -132,6 +132,7 @@ Index PointPool::add(Exact point) {
   }
   positions_.push_back(position);
   exact_.push_back(std::move(point));
+  lines_.push_back(line);
   return number;
 }
 
@@ -140,7 +141,7 @@ Index PointPool::onLine(const GivenLine& line, const Dyadic& fromFirst, const Dy
   const Exact p = exact(line[0]), q = exact(line[1]);
   Exact result;
   for (std::size_t k = 0; k < 4; ++k) result[k] = minor(p[k], q[k], fromFirst, fromSecond);
-  return add(std::move(result));
+  return add(std::move(result), line);
 }
 
 Index PointPool::meet(const GivenLine& line, const GivenPlane& plane) {
@@ -193,12 +194,19 @@ Dyadic PointPool::exactTurn(Index a, Index b, Index c, FlatView view) const {
          r[3] * minor(p[u], p[v], q[u], q[v]);
 }
 
+bool PointPool::isOnLine(Index p, Index a, Index b) const {
+  if (isGiven(p)) return false;
+  const GivenLine& line = lines_[p - givenCount_ - 4];
+  return (line[0] == a && line[1] == b) || (line[0] == b && line[1] == a);
+}
+
 int PointPool::turn(Index a, Index b, Index c, FlatView view) const {
   if (a == b || b == c || c == a) return 0;
   const auto flat = [&](Index point) {
     return Vec2(positions_[point][view.u()], positions_[point][view.v()]);
   };
   if (isGiven(a) && isGiven(b) && isGiven(c)) return orient2d(flat(a), flat(b), flat(c));
+  if (isOnLine(a, b, c) || isOnLine(b, c, a) || isOnLine(c, a, b)) return 0;
   if (const int sure = surelyTurns(flat(a), flat(b), flat(c)); sure != 0) return sure;
   return exactTurn(a, b, c, view).sign();
 }

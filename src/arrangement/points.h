@@ -77,12 +77,14 @@ class PointPool {
   Plane planeThrough(const GivenPlane& points) const;
   Dyadic exactTurn(Index a, Index b, Index c, FlatView view) const;
   Index onLine(const GivenLine& line, const Dyadic& fromFirst, const Dyadic& fromSecond);
-  Index add(Exact point);
+  Index add(Exact point, const GivenLine& line = {kNone, kNone});
+  bool isOnLine(Index p, Index a, Index b) const;  // if it was found there first
   bool areEqual(const Exact& a, const Exact& b) const;
 
   std::size_t givenCount_;
   std::vector<Vec3> positions_;
-  std::vector<Exact> exact_;  // of the points after the given and the far ones
+  std::vector<Exact> exact_;      // of the points after the given and the far ones
+  std::vector<GivenLine> lines_;  // per such point the ends of a line that it was found on
   std::unordered_map<std::array<std::uint64_t, 3>, Index, PositionHash> first_;
   std::unordered_map<Index, Index> next_;  // another point with the same nearest doubles
 };
