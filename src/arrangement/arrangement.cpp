@@ -66,7 +66,8 @@ class Run {
         normal_(scaled(input.positions, toNormal_)),
         points_(normal_),
         triangles_{input.indices, input.operands,
-                   [this]() -> const TriangleTree& { return tree(); }, input.meeting} {}
+                   [this]() -> const TriangleTree& { return tree(); }, input.meeting,
+                   input.isEachSound} {}
 
   ArrangementResult run() {
     ArrangementResult result;
@@ -154,14 +155,20 @@ class Run {
   const ArrangedTriangles triangles_;
 };
 
-std::vector<Index> crossingsOf(const ArrangementResult& result) {
+// isApart: per triangle; those do not meet each other.
+std::vector<Index> crossingsOf(const ArrangementResult& result,
+                               std::span<const std::uint8_t> isApart) {
   TriangleMesh mesh;
   const double toNormal = normalScale(result.positions);
   for (const Vec3& p : result.positions) mesh.positions.emplace_back(toNormal * p);
   mesh.indices = result.indices;
-  std::vector<std::uint8_t> isApart;
-  for (const ArrangedTriangle& t : result.triangles) isApart.push_back(t.isUntouched);
   return selfIntersectionsBeside(mesh, isApart);
+}
+
+std::vector<Index> crossingsOf(const ArrangementResult& result) {
+  std::vector<std::uint8_t> isUntouched;
+  for (const ArrangedTriangle& t : result.triangles) isUntouched.push_back(t.isUntouched);
+  return crossingsOf(result, isUntouched);
 }
 
 // Whether more triangles intersect others than were cut: where many edges pass each other at
@@ -212,10 +219,16 @@ std::function<Vec3(const Vec3&)> roundingOf(const ArrangementOptions& options) {
   };
 }
 
-// The result with parts brought together that are so near to each other, around those facets.
-ArrangementResult snapped(const ArrangementResult& first, std::span<const Index> around,
-                          const ArrangementOptions& options, double tolerance) {
+struct Snapped {
   ArrangementResult result;
+  std::vector<std::uint8_t> isSame;  // per triangle whether it is as it was
+};
+
+// The result with parts brought together that are so near to each other, around those facets.
+Snapped snapped(const ArrangementResult& first, std::span<const Index> around,
+                const ArrangementOptions& options, double tolerance) {
+  Snapped snap;
+  ArrangementResult& result = snap.result;
   result.positions = first.positions;
   KeptFacets facets{first.indices, {}, {}};
   facets.from.reserve(first.triangles.size());
@@ -227,9 +240,13 @@ ArrangementResult snapped(const ArrangementResult& first, std::span<const Index>
   for (std::size_t f = 0; f < facets.from.size(); ++f) {
     const Index from = facets.from[f].triangle;
     ArrangedTriangle triangle = first.triangles[from];
+    const auto own = std::span(first.indices).subspan(3 * std::size_t{from}, 3);
+    const bool isSame =
+        std::equal(own.begin(), own.end(), result.indices.begin() + std::ptrdiff_t(3 * f));
+    snap.isSame.push_back(isSame);
+    triangle.isUntouched = triangle.isUntouched && isSame;
     for (std::size_t k = 0; k < 3; ++k) {
       const Index corner = result.indices[3 * f + k];
-      const auto own = std::span(first.indices).subspan(3 * std::size_t{from}, 3);
       const auto same = std::find(own.begin(), own.end(), corner);
       triangle.weights[k] = same != own.end()
                                 ? first.triangles[from].weights[std::size_t(same - own.begin())]
@@ -239,7 +256,7 @@ ArrangementResult snapped(const ArrangementResult& first, std::span<const Index>
   }
   result.cut = first.cut, result.work = first.work, result.dropped = first.dropped;
   result.isOutsideDropped = first.isOutsideDropped;
-  return result;
+  return snap;
 }
 
 // Bodies that overlap by a rounding, as balls that touch do, get a ring of facets around the common
@@ -248,8 +265,9 @@ ArrangementResult snapped(const ArrangementResult& first, std::span<const Index>
 void dropThinFacets(ArrangementResult& result, const ArrangementOptions& options, double height) {
   const std::vector<Index> around = thinFacets(result, height);
   if (around.empty()) return;
-  ArrangementResult other = snapped(result, around, options, 2 * height);  // a ring's width
-  other.selfIntersections = crossingsOf(other);
+  auto [other, isSame] = snapped(result, around, options, 2 * height);  // a ring's width
+  other.selfIntersections =
+      result.selfIntersections.empty() ? crossingsOf(other, isSame) : crossingsOf(other);
   if (other.selfIntersections.size() > result.selfIntersections.size()) return;
   fires("arrangement: facets of a few roundings dropped");
   result = std::move(other);
@@ -303,9 +321,11 @@ ArrangementResult arrange(const ArrangementInput& input, const ArrangementOption
   for (int left = kPatience; left > 0 && !best.selfIntersections.empty(); --left) {
     fires("arrangement: arranged again after rounding");
     if (isDense(best))
-      last = snapped(best, best.selfIntersections, options, std::ldexp(step, 2 * kPatience - left));
+      last = snapped(best, best.selfIntersections, options, std::ldexp(step, 2 * kPatience - left))
+                 .result;
     else if (left < kPatience)
-      last = snapped(best, best.selfIntersections, options, std::ldexp(step, kPatience - left));
+      last =
+          snapped(best, best.selfIntersections, options, std::ldexp(step, kPatience - left)).result;
     ArrangementResult next = arrangedAgain(input, options, last);
     if (next.outcome != Outcome::Done || next.indices.empty()) break;
     last = std::move(next);
@@ -314,7 +334,8 @@ ArrangementResult arrange(const ArrangementInput& input, const ArrangementOption
     best = last;
     left = kPatience;
   }
-  partFans(best, input, {roundingOf(options), crossingsOf});
+  partFans(best, input,
+           {roundingOf(options), [](const ArrangementResult& r) { return crossingsOf(r); }});
   return best;
 }
 

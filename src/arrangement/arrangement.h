@@ -29,6 +29,9 @@ struct ArrangementInput {
   std::vector<Index> classes;
   // The only triangles that may meet others, if that is known; ascending.
   std::optional<std::vector<Index>> meeting;
+  // Whether no triangle meets others of its own operand. Then there are two operands, that of
+  // number 0 first, and `meeting` is known.
+  bool isEachSound = false;
 };
 
 struct ArrangementOptions {

@@ -21,6 +21,7 @@ struct ArrangedTriangles {
   const std::vector<Index>& operands;                // one per triangle
   const std::function<const TriangleTree&()> tree;   // of all, built when it is first asked for
   const std::optional<std::vector<Index>>& meeting;  // see ArrangementInput
+  bool isEachSound;
 
   GivenPlane operator[](Index t) const {
     return {corners[3 * t], corners[3 * t + 1], corners[3 * t + 2]};

@@ -2,6 +2,8 @@
 #include "arrangement/sheets.h"
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <utility>
 
 #include "base/disjoint_sets.h"
@@ -49,17 +51,45 @@ class SheetSearch {
       if (++work_ <= mostWork && trianglesMeet(named(s), named(t)))
         pairs.emplace_back(std::min(s, t), std::max(s, t));
     };
-    if (const auto& few = triangles_.meeting) {
-      std::vector<Index> corners;
-      for (const Index t : *few)
-        for (const Index corner : triangles_[t]) corners.push_back(corner);
-      const TriangleTree tree(points_.positions(), corners);
-      tree.visitPairs([&](Index s, Index t) { look((*few)[s], (*few)[t]); });
-    } else {
+    if (!triangles_.meeting)
       triangles_.tree().visitPairs(look);
-    }
+    else if (triangles_.isEachSound)
+      visitPairsOfOperands(*triangles_.meeting, look);
+    else
+      visitPairs(*triangles_.meeting, look);
     std::sort(pairs.begin(), pairs.end());
     return pairs;
+  }
+
+  std::vector<Index> cornersOf(std::span<const Index> list) const {
+    std::vector<Index> corners;
+    for (const Index t : list)
+      for (const Index corner : triangles_[t]) corners.push_back(corner);
+    return corners;
+  }
+
+  // The pairs of triangles in the list whose boxes meet.
+  template <class Look>
+  void visitPairs(std::span<const Index> list, Look look) const {
+    const std::vector<Index> corners = cornersOf(list);
+    const TriangleTree tree(points_.positions(), corners);
+    tree.visitPairs([&](Index s, Index t) { look(list[s], list[t]); });
+  }
+
+  // Those of a triangle of the first operand and one of the second.
+  template <class Look>
+  void visitPairsOfOperands(std::span<const Index> list, Look look) const {
+    const auto isFirst = [&](Index t) { return triangles_.operands[t] == 0; };
+    const auto end = std::partition_point(list.begin(), list.end(), isFirst);
+    const auto count = std::size_t(end - list.begin());
+    const std::span<const Index> others = list.subspan(count);
+    const std::vector<Index> corners = cornersOf(others);
+    const TriangleTree tree(points_.positions(), corners);
+    for (const Index s : list.first(count)) {
+      Box box;
+      for (const Index corner : triangles_[s]) box.extend(points_.position(corner));
+      tree.visitOverlapping(box, [&](Index t) { look(s, others[t]); });
+    }
   }
 
   Sides sides(Index t, Index plane) const {
@@ -90,14 +120,16 @@ class SheetSearch {
       if (sides[k] == 0 && contains(other, corners[k])) found.push_back(corners[k]);
       if (sides[k] * sides[next] >= 0) continue;
       if (passesThrough({corners[k], corners[next]}, other))
-        found.push_back(meetOnce({corners[k], corners[next]}, other));
+        found.push_back(meetOnce({corners[k], corners[next]}, t));
     }
   }
 
-  // The same bits from both triangles at an edge.
-  Index meetOnce(GivenLine line, const GivenPlane& plane) {
+  // The two triangles at an edge have the same point.
+  Index meetOnce(GivenLine line, Index t) {
     if (line[0] > line[1]) std::swap(line[0], line[1]);
-    return points_.meet(line, plane);
+    const auto [known, isNew] = met_.try_emplace({line[0], line[1], t}, kNone);
+    if (isNew) known->second = points_.meet(line, triangles_[t]);
+    return known->second;
   }
 
   bool contains(const GivenPlane& t, Index point) const {
@@ -146,6 +178,7 @@ class SheetSearch {
   PointPool& points_;
   const ArrangedTriangles& triangles_;
   DisjointSets planes_;
+  std::map<std::array<Index, 3>, Index> met_;  // the points of edges in triangles
   std::vector<Meeting> meetings_;
   std::size_t work_ = 0;
 };

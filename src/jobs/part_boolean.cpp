@@ -2,6 +2,7 @@
 #include "jobs/part_boolean.h"
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "jobs/inspected_parts.h"
 #include "jobs/parts/part_frames.h"
 #include "jobs/parts/part_joining.h"
+#include "jobs/parts/part_lengths.h"
 #include "jobs/parts/part_report.h"
 #include "jobs/repair_words.h"
 #include "jobs/run_guards.h"
@@ -47,8 +49,39 @@ class Scaled {
   PartFrames scale_;
 };
 
-[[noreturn]] void refuseOperand(const OperandPair& pair, std::size_t i, const Scaled& scaled) {
-  const io::Part part = scaled.applied(pair.parts[i]);
+bool isPowerOfTwo(double x) {
+  constexpr double kFraction = 0.5;
+  int exponent = 0;
+  return std::frexp(x, &exponent) == kFraction;
+}
+
+// Whether the written mesh is the scaled one but for a move and a power of two, without rounding:
+// then the same triangles intersect.
+bool isUnrounded(const TriangleMesh& scaled, const TriangleMesh& written) {
+  const Frame& frame = scaled.frame;
+  if (frame.parts != 1 || !isPowerOfTwo(frame.shared) || scaled.indices != written.indices)
+    return false;
+  const double unit = frame.unit / frame.shared;
+  for (std::size_t v = 0; v < scaled.positions.size(); ++v)
+    for (Eigen::Index k = 0; k < 3; ++k) {
+      const double steps = written.positions[v][k] / frame.step, middle = frame.middle[k],
+                   moved = scaled.positions[v][k] / unit;
+      // A sum of doubles that is undone by both differences has no rounding.
+      if (moved + middle != steps || steps - moved != middle || steps - middle != moved)
+        return false;
+    }
+  return true;
+}
+
+// Measured at about unit size; diagonal: as written.
+MeshReport inspected(const std::vector<io::Part>& scaled, double diagonal) {
+  MeshReport report = PlainInspection(scaled).report;
+  report.diagonal = diagonal;
+  return report;
+}
+
+[[noreturn]] void refuseOperand(const OperandPair& pair, std::size_t i, const io::Part& part,
+                                const Scaled& scaled) {
   const std::vector<Vec3> open = openPieces(part.mesh);
   std::string message = pair.names[i] + " is no closed body";
   if (open.empty())
@@ -102,14 +135,15 @@ struct Bodies {
   Each each = Each::Sound;
 };
 
-Bodies bodiesOf(const OperandPair& pair, const Scaled& scaled) {
+// parts: those of the pair, scaled.
+Bodies bodiesOf(const OperandPair& pair, const std::vector<io::Part>& parts, const Scaled& scaled) {
   Bodies bodies;
   const double all =
       double(pair.parts[0].mesh.triangleCount() + pair.parts[1].mesh.triangleCount());
   for (std::size_t i = 0; i < 2; ++i) {
-    const io::Part part = scaled.applied(pair.parts[i]);
+    const io::Part& part = parts[i];
     std::optional<RepairedMesh> repaired = exactBodies(part.mesh);
-    if (!repaired) refuseOperand(pair, i, scaled);
+    if (!repaired) refuseOperand(pair, i, part, scaled);
     for (PlacedWarning& warning : repaired->warnings)
       if (warning.at) warning.at = scaled.inWorld(part, *warning.at);
     bodies.meshes[i] = std::move(repaired->mesh);
@@ -147,22 +181,24 @@ BooleanRun runOf(OperandPair pair, BooleanOperation operation, const Progress& p
   for (std::size_t i = 0; i < 2; ++i)
     pair.parts[i] =
         inFile(pair.names[i], [&] { return joinedPlaces({pair.parts[i]}, {}).front(); });
-  run.report.input = inspectScaled({pair.parts.begin(), pair.parts.end()});
   const Scaled scaled(pair);
-  const Bodies bodies = bodiesOf(pair, scaled);
+  const std::vector<io::Part> parts = {scaled.applied(pair.parts[0]),
+                                       scaled.applied(pair.parts[1])};
+  run.report.input = inspected(parts, worldDiagonal({pair.parts.begin(), pair.parts.end()}));
+  const Bodies bodies = bodiesOf(pair, parts, scaled);
   bodies.repairs.tell(run.report, pair);
   progress.phase("boolean", 0.4, 0.9);
   United found = arrangedOf(pair, bodies, operation);
   progress.phase("measure", 0.9, 1);
-  const std::size_t cut = found.cut;
   run.part = scaled.undone(
-      {pair.parts[0].name, std::move(found.mesh), {Transform::Identity()}, std::move(pair.groups)});
-  // Of the written numbers: rounding to them may leave others than those of the unit size.
-  const std::size_t crossings = selfIntersections(run.part.mesh).size();
-  run.boolean = {operation, cut, crossings};
+      {pair.parts[0].name, found.mesh, {Transform::Identity()}, std::move(pair.groups)});
+  const std::size_t crossings = isUnrounded(found.mesh, run.part.mesh)
+                                    ? found.crossings.size()
+                                    : selfIntersections(run.part.mesh).size();
+  run.boolean = {operation, found.cut, crossings};
   if (crossings > 0)
     run.report.warnings.push_back({"CROSSINGS_LEFT", "Triangles intersect others.", crossings});
-  run.report.output = inspectScaled({run.part});
+  run.report.output = inspected({scaled.applied(run.part)}, worldDiagonal({run.part}));
   sayTouching(run);
   return run;
 }

@@ -98,8 +98,11 @@ std::optional<United> booleanOf(const TriangleMesh& both, std::size_t trianglesO
                     },
                     {}};
   for (std::size_t t = 0; t < trianglesOfA; ++t) operands.numbers[t] = 0;
-  if (each == Each::Sound) operands.meeting = nearOther(both, trianglesOfA);
   const TriangleMesh mesh = atOnePosition(both);
+  if (each == Each::Sound) {
+    operands.meeting = nearOther(both, trianglesOfA);
+    operands.isEachSound = mesh.positions == both.positions;
+  }
   std::optional<United> result = arranged(mesh, operands);
   if (result && countUnbalancedEdges(result->mesh) > 0) return std::nullopt;
   if (result) joinFaces(mesh, operands, *result);

@@ -375,8 +375,9 @@ std::optional<RepairedMesh> exactBodies(const TriangleMesh& input) {
   const TriangleMesh mesh = haveAreas(input) ? input : stitched(input);
   if (mesh.indices.empty()) return std::nullopt;
   std::optional<ExactRepair> exact = whollyRepaired(mesh);
-  if (!exact || !exact->sheetsAt.empty() || countUnbalancedEdges(exact->mesh) > 0)
-    return std::nullopt;
+  if (!exact || !exact->sheetsAt.empty()) return std::nullopt;
+  const bool isSound = exact->way == ExactRepair::Way::Unchanged;
+  if (!isSound && countUnbalancedEdges(exact->mesh) > 0) return std::nullopt;
   const char* const reason = reasonOf(*exact);
   return because(reason, asRepaired(std::move(*exact), "solid"));
 }

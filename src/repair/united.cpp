@@ -48,6 +48,7 @@ Welded weldedOf(const TriangleMesh& bodies, const Operands& operands) {
     welded.triangles.push_back(t);
     welded.input.operands.push_back(operands.numbers[t]);
   }
+  welded.input.isEachSound = operands.isEachSound;
   if (operands.meeting) welded.input.meeting = numbersAmong(welded.triangles, *operands.meeting);
   // Attributes are linear in one triangle only, so facets of different ones stay apart.
   if (!bodies.attributes.empty()) {

@@ -28,7 +28,8 @@ struct United {
 struct Operands {
   std::vector<Index> numbers;
   std::function<bool(std::span<const int>)> isInside;
-  std::optional<std::vector<Index>> meeting;  // see ArrangementInput
+  std::optional<std::vector<Index>> meeting;  // see ArrangementInput, also for the next
+  bool isEachSound = false;
 };
 
 // Of the wanted triangles those in a list, by their places there. Both ascend.
