@@ -18,7 +18,7 @@ async function shortened(text) {
 }
 
 /**
- * Our modules around the decoders of compressed glTF. The modules import nothing: they work with
+ * Our modules around the codecs of compressed glTF. The modules import nothing: they work with
  * any bundler and without one, and a user of the package installs nothing else.
  * @returns {Promise<Record<string, string>>} contents by file name
  */
@@ -32,6 +32,7 @@ async function decoderModules() {
   });
   // Without `process` the script does not assume Node. Without the names of CommonJS no bundler
   // takes the script for a mixture of both kinds of module, or looks for Node's modules.
+  const draco = '// Draco, https://github.com/google/draco, Apache-2.0\n';
   return {
     'meshopt_decoder.mjs': `// meshoptimizer, https://github.com/zeux/meshoptimizer, MIT,
 // Copyright (C) 2016-2026, by Arseny Kapoulkine
@@ -41,31 +42,33 @@ ${zip.outputFiles[0].text}`,
     'meshopt_encoder.mjs': `// meshoptimizer, https://github.com/zeux/meshoptimizer, MIT,
 // Copyright (C) 2016-2026, by Arseny Kapoulkine
 ${await shortened(String(read('meshoptimizer/meshopt_encoder.js')))}`,
-    'draco_decoder.mjs': await dracoModule('DracoDecoderModule', 'draco_decoder_gltf_nodejs.js',
-      'draco_decoder_gltf.wasm'),
-    'draco_encoder.mjs': await dracoModule('DracoEncoderModule', 'draco_encoder_gltf_nodejs.js',
-      'draco_encoder.wasm'),
+    'draco_decoder.mjs': draco + await selfContained('DracoDecoderModule',
+      'draco3dgltf/draco_decoder_gltf_nodejs.js', 'draco3dgltf/draco_decoder_gltf.wasm'),
+    'draco_encoder.mjs': draco + await selfContained('DracoEncoderModule',
+      'draco3dgltf/draco_encoder_gltf_nodejs.js', 'draco3dgltf/draco_encoder.wasm'),
+    'basis_decoder.mjs': `// Basis Universal, https://github.com/BinomialLLC/basis_universal, \
+Apache-2.0
+${await selfContained('BASIS', 'three/examples/jsm/libs/basis/basis_transcoder.js',
+    'three/examples/jsm/libs/basis/basis_transcoder.wasm')}`,
   };
 }
 
 /**
- * One of Draco's modules with its WebAssembly inside.
- * @param {string} name its name in the script @param {string} script @param {string} wasm
+ * A script that Emscripten made, as a module with its WebAssembly inside.
+ * @param {string} name of the function that it defines @param {string} script @param {string} wasm
  */
-async function dracoModule(name, script, wasm) {
-  const read = (/** @type {string} */ file) =>
-    readFileSync(join(root, 'node_modules/draco3dgltf', file));
-  return `// Draco, https://github.com/google/draco, Apache-2.0
-${await shortened(`const ${name} = (function () {
+async function selfContained(name, script, wasm) {
+  const read = (/** @type {string} */ file) => readFileSync(join(root, 'node_modules', file));
+  return `${await shortened(`const ${name} = (function () {
 const process = undefined, module = undefined, exports = undefined, require = undefined;
 ${read(script)}
 return ${name};
 })();
 const packed = '${gzipSync(read(wasm), { level: 9 }).toString('base64')}';
-export default async () => {
+export default async (options) => {
   const bytes = Uint8Array.from(atob(packed), (letter) => letter.charCodeAt(0));
   const unpacked = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
-  return ${name}({ wasmBinary: await new Response(unpacked).arrayBuffer() });
+  return ${name}({ ...options, wasmBinary: await new Response(unpacked).arrayBuffer() });
 };
 `)}`;
 }

@@ -6,7 +6,9 @@ import { test } from 'node:test';
 
 import { remeshFile } from 'remesher';
 
+import { baked } from '../support/baked.js';
 import { GltfMaker, openGltf, validate } from '../support/gltf.js';
+import { ktx2 } from '../support/ktx2.js';
 import { png } from '../support/png.js';
 import { sheet } from '../support/shapes.js';
 
@@ -52,20 +54,40 @@ test('what paints PNG of WebP requires no WebP', async () => {
   assert.equal(tree.extensionsUsed, undefined);
 });
 
+/** The sheet with a KTX2 texture. @param {Uint8Array} bytes @param {boolean} [isAlone] */
+const withKtx2 = (bytes, isAlone = true) => texturedSheet((tree, _, maker) => {
+  tree.images.push({ bufferView: maker.addView(bytes), mimeType: 'image/ktx2' });
+  tree.textures[0].extensions = { KHR_texture_basisu: { source: 1 } };
+  if (isAlone) delete tree.textures[0].source;
+  tree.extensionsUsed = ['KHR_texture_basisu'];
+  if (isAlone) tree.extensionsRequired = ['KHR_texture_basisu'];
+});
+
+const tiles = (column, row) => [60 * column, 60 * row, 90];
+
+test('of a KTX2 texture the same is painted as of a PNG of its texels', async () => {
+  const tiled = png(16, 16, (x, y) => tiles(x >> 2, y >> 2));
+  const [ofKtx2, ofPng] = await Promise.all([withKtx2(ktx2(4, 4, tiles)), texturedSheet(
+    (tree, _, maker) => {
+      tree.images[0].bufferView = maker.addView(tiled);
+    })].map((file) => bake(file)));
+  const imagesIn = async (file) => (await baked(file)).images;
+  assert.deepEqual(await imagesIn(ofKtx2), await imagesIn(ofPng));
+  assert.equal(ofKtx2.tree.extensionsUsed, undefined);
+  assert.equal(ofKtx2.tree.extensionsRequired, undefined);
+});
+
 test('beside a KTX2 texture its fallback is painted from', async () => {
-  const both = (tree, _, maker) => {
-    const ktx = Uint8Array.of(0xAB, ...new TextEncoder().encode('KTX 20'), 0xBB, 13, 10, 26, 10);
-    tree.images.push({ bufferView: maker.addView(ktx), mimeType: 'image/ktx2' });
-    tree.textures[0].extensions = { KHR_texture_basisu: { source: 1 } };
-    tree.extensionsUsed = ['KHR_texture_basisu'];
-  };
-  const { tree } = await bake(texturedSheet(both));
+  const broken = ktx2(1, 1, tiles).subarray(0, 90);
+  const { tree } = await bake(withKtx2(broken, false));
   assert.equal(tree.extensionsUsed, undefined);
-  const alone = texturedSheet((...args) => {
-    both(...args);
-    delete args[0].textures[0].source;
-  });
-  await assert.rejects(bake(alone), /KTX2 texture, which cannot be painted from/);
+  await assert.rejects(bake(withKtx2(broken)), /Image 1 cannot be decoded/);
+});
+
+test('KTX2 textures of other formats than ETC1S and UASTC are refused', async () => {
+  const other = ktx2(1, 1, tiles);
+  other[12] = 37; // VK_FORMAT_R8G8B8A8_UNORM
+  await assert.rejects(bake(withKtx2(other)), /neither ETC1S nor UASTC/);
 });
 
 test('identifiers in a texture stay with its coordinates, and go with them', async () => {

@@ -8,6 +8,7 @@ import { inspect, remesh, remeshFile, repair, repairFile } from 'remesher';
 
 import { errorCodes } from '../../bindings/package/base/errors.js';
 import { GltfMaker } from '../support/gltf.js';
+import { ktx2 } from '../support/ktx2.js';
 import { plate } from '../support/machine_parts.js';
 import { png } from '../support/png.js';
 import { offText, sheet, stl, torus } from '../support/shapes.js';
@@ -122,7 +123,8 @@ const withHidden = sheetFile((tree) => {
   tree.scenes[0].nodes = [0, tree.nodes.push({ mesh: 0, extensions: hidden }) - 1];
 });
 const ktx = sheetFile((tree, _, maker) => {
-  const bytes = Uint8Array.of(0xAB, ...bytesOf('KTX 20'), 0xBB, 13, 10, 26, 10);
+  const bytes = ktx2(1, 1, () => [1, 2, 3]);
+  bytes[12] = 37; // VK_FORMAT_R8G8B8A8_UNORM
   tree.images = [{ bufferView: maker.addView(bytes), mimeType: 'image/ktx2' }];
   tree.textures = [{ extensions: { KHR_texture_basisu: { source: 0 } } }];
 });

@@ -19,13 +19,14 @@ const taken = {
   'remesher/formats': ['formats'],
   'remesher/card': ['cardText'],
   'remesher/gunzip': ['gunzip'],
+  'remesher/ktx2': ['decodeKtx2'],
   'remesher/codecs': ['codecs'],
   three: ['TorusGeometry'],
   '@gltf-transform/core': ['Document', 'Logger'],
 };
 
 /** The line that the program prints. */
-export const expected = '30 8 90 25 40 true glb true true true true';
+export const expected = '30 8 90 25 40 true glb true true true true true';
 
 /** The package's entries that the program imports. */
 export const entries = Object.keys(taken).filter((name) => name.startsWith('remesher'));
@@ -52,7 +53,8 @@ pool.close();
 const line = [own.report.output.vertices, input.triangles, report.output.vertices,
   written.getCount(), pooled.report.output.vertices, optionTable.length > 10, formats[0], failed,
   typeof cardText === 'function',
-  typeof gunzip === 'function', typeof codecs.worker === 'function'].join(' ');`;
+  typeof gunzip === 'function', typeof decodeKtx2 === 'function',
+  typeof codecs.worker === 'function'].join(' ');`;
 
 /**
  * The program as an ES module that passes its line to `tell`; in Node that is `console.log`.

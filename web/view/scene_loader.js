@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Makes a three.js group, with textures, from the bytes of a glTF. Files that the glTF names come
 // from memory, so nothing is fetched.
-import { Cache, LoadingManager } from 'three';
+import { Cache, DataTexture, FileLoader, LoadingManager } from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js';
 
@@ -12,6 +12,25 @@ Cache.enabled = false;  // different files may have the same name
 /** @param {Uint8Array} bytes */
 const blobUrl = (bytes) => URL.createObjectURL(new Blob([/** @type {BlobPart} */ (bytes)]));
 
+/** Decodes KTX2 textures to texels, which every graphics card shows.
+ * @param {LoadingManager} manager */
+const ktx2Loader = (manager) => ({
+  /** @param {string} url @param {(texture: DataTexture) => void} onLoad @param {unknown} _
+   * @param {(error: unknown) => void} onError */
+  load(url, onLoad, _, onError) {
+    const texture = async () => {
+      const files = new FileLoader(manager).setResponseType('arraybuffer');
+      const [{ decodeKtx2 }, bytes] = await Promise.all(
+        [import('remesher/ktx2'), files.loadAsync(url)]);
+      const { data, width, height } = await decodeKtx2(/** @type {ArrayBuffer} */ (bytes));
+      const made = new DataTexture(data, width, height);
+      made.needsUpdate = true;
+      return made;
+    };
+    texture().then(onLoad, onError);
+  },
+});
+
 /**
  * @param {Uint8Array} bytes a GLB, or the text of a glTF
  * @param {NamedBytes[]} [resources]
@@ -21,7 +40,8 @@ export async function loadScene(bytes, resources = []) {
   const urls = new Map(resources.map(({ name, bytes: content }) => [name, blobUrl(content)]));
   const manager = new LoadingManager();
   manager.setURLModifier((url) => urls.get(url) ?? urls.get(decodeURIComponent(url)) ?? url);
-  const loader = new GLTFLoader(manager).setMeshoptDecoder(MeshoptDecoder);
+  const loader = new GLTFLoader(manager).setMeshoptDecoder(MeshoptDecoder)
+    .setKTX2Loader(/** @type {any} */ (ktx2Loader(manager)));
   try {
     const isWhole = bytes.length === bytes.buffer.byteLength;
     const data = /** @type {ArrayBuffer} */ (isWhole ? bytes.buffer : bytes.slice().buffer);

@@ -25,16 +25,11 @@ function sizesOf({ meshes = [], accessors = [] }) {
   return { triangles, seams: vertices - triangles / 2 };
 }
 
-/** Whether a texture is there only as KTX2, which cannot be baked from.
- * @param {{ source?: number, extensions?: any }} texture */
-const isKtxOnly = ({ source, extensions = {} }) => source === undefined
-  && extensions.KHR_texture_basisu !== undefined && extensions.EXT_texture_webp === undefined;
-
 /**
  * Whether the preset `asset` bakes new textures: several materials become one. Triangles that all
  * stay keep their own texture coordinates. So does a surface that is not reduced much and has fewer
  * vertices on seams than the budget has triangles: its texels stay sharp. So do cards whose alpha
- * cuts them out: many leaves share the texels of one. So does what has textures in KTX2 only.
+ * cuts them out: many leaves share the texels of one.
  * @param {any} tree of a glTF file, its JSON
  * @param {number} faces the budget; 0: there is none
  * @returns {boolean}
@@ -42,7 +37,6 @@ const isKtxOnly = ({ source, extensions = {} }) => source === undefined
 export function isWorthBaking(tree, faces) {
   try {
     const { materials = [], textures = [] } = tree;
-    if (textures.some(isKtxOnly)) return false;
     if (new Set(materials.map(kindOf)).size < materials.length) return true;
     if (materials.some((/** @type {any} */ { alphaMode }) => alphaMode === 'MASK')) return false;
     const { triangles, seams } = sizesOf(tree);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Images to texels and back, by Squoosh's codecs in WebAssembly: the same bytes in Node and every
-// browser. They are packages of their own, loaded when they are needed.
+// browser. They are packages of their own, loaded when they are needed. KTX2 textures are decoded
+// only, by a module of this package.
 
 import { loadPackage } from './codec_packages.js';
 import { imageHeader } from './image_header.js';
@@ -84,13 +85,14 @@ async function withImageData(body) {
 /** @param {{ name: string, bytes: Uint8Array }} image @returns {string} its type */
 function typeOf({ name, bytes }) {
   const header = imageHeader(bytes);
-  if (header?.type === 'image/ktx2') {
-    throw new RemeshError('UNSUPPORTED', `${name} is a KTX2 texture, which cannot be painted from.`,
-      'Convert it to PNG, JPEG or WebP first, or keep the textures.');
-  }
   if (!header) {
-    throw new RemeshError('UNSUPPORTED', `${name} is neither PNG nor JPEG nor WebP.`,
+    throw new RemeshError('UNSUPPORTED', `${name} is neither PNG nor JPEG nor WebP nor KTX2.`,
       'Convert it first, or keep the textures.');
+  }
+  if (header.isForGpu) {
+    throw new RemeshError('UNSUPPORTED',
+      `${name} is a KTX2 texture of neither ETC1S nor UASTC, which cannot be painted from.`,
+      'Convert it to one of these, PNG, JPEG or WebP first, or keep the textures.');
   }
   if (header.isAnimated) {
     throw new RemeshError('UNSUPPORTED', `${name} is animated, which cannot be painted from.`,
@@ -136,18 +138,23 @@ export class ImageCodecs {
   #load(type) {
     const known = this.#loaded.get(type);
     if (known) return known;
-    const { name, decoder, encoder } = codecs[type];
-    const { load, compile } = this.#source;
-    const loading = load(name).then(async ([decode, encode]) => {
-      if (compile) {
-        const modules = await Promise.all([compile(decoder), compile(encoder)]);
-        await decode.init(modules[0]);
-        await encode.init(modules[1]);
-      }
-      return [decode.default, encode.default];
-    });
+    const loading = type === 'image/ktx2'
+      ? import('../codecs/ktx_textures.js').then(({ decodeKtx2 }) => [decodeKtx2])
+      : this.#loadPackage(codecs[type]);
     this.#loaded.set(type, loading);
     return loading;
+  }
+
+  /** @param {typeof codecs[string]} codec */
+  async #loadPackage({ name, decoder, encoder }) {
+    const { load, compile } = this.#source;
+    const [decode, encode] = await load(name);
+    if (compile) {
+      const modules = await Promise.all([compile(decoder), compile(encoder)]);
+      await decode.init(modules[0]);
+      await encode.init(modules[1]);
+    }
+    return [decode.default, encode.default];
   }
 
   /**

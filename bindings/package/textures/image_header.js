@@ -8,6 +8,7 @@
  * @property {number} [height] Texels.
  * @property {number} [fewestBits] That a texel takes before compression, in PNG; in JPEG after it.
  * @property {boolean} [isAnimated] Shows nothing but in its frames.
+ * @property {boolean} [isForGpu] In a format of its own, which only some graphics cards read.
  */
 
 /** @param {Uint8Array} bytes @param {number} at @param {string} letters */
@@ -64,6 +65,13 @@ function webpSize(view, bytes) {
   };
 }
 
+/** @param {DataView} view @returns {Partial<ImageHeader>} */
+function ktx2Size(view) {
+  if (view.byteLength < 28) return {};
+  return { width: view.getUint32(20, true), height: view.getUint32(24, true),
+    isForGpu: view.getUint32(12, true) !== 0 };
+}
+
 /** @param {Uint8Array} bytes @returns {ImageHeader | undefined} undefined: no image that we know */
 export function imageHeader(bytes) {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
@@ -72,6 +80,6 @@ export function imageHeader(bytes) {
   if (says(bytes, 0, 'RIFF') && says(bytes, 8, 'WEBP')) {
     return { type: 'image/webp', ...webpSize(view, bytes) };
   }
-  if (bytes[0] === 0xab && says(bytes, 1, 'KTX 20')) return { type: 'image/ktx2' };
+  if (bytes[0] === 0xab && says(bytes, 1, 'KTX 20')) return { type: 'image/ktx2', ...ktx2Size(view) };
   return undefined;
 }

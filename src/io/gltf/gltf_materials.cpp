@@ -15,6 +15,7 @@ namespace remesher::io {
 namespace {
 
 constexpr const char* kWebp = "EXT_texture_webp";
+constexpr const char* kKtx2 = "KHR_texture_basisu";
 constexpr const char* kUnlit = "KHR_materials_unlit";
 constexpr const char* kTransform = "KHR_texture_transform";
 
@@ -66,13 +67,21 @@ Eigen::Matrix<double, 2, 3> transformOf(const Json& extension) {
   return result;
 }
 
+// The number of a texture's image: WebP, else the one that every program reads, else KTX2; nothing
+// if it has none.
+Json sourceOf(const Json& texture) {
+  const Json& extensions = objectIn(texture, "extensions");
+  for (const Json* holder : {&objectIn(extensions, kWebp), &texture, &objectIn(extensions, kKtx2)})
+    if (holder->contains("source")) return (*holder)["source"];
+  return {};
+}
+
 // parent: the object whose member `key` is the reference to a texture.
 Map mapIn(const Json& tree, const Json& parent, const char* key) {
   const Json& info = objectIn(parent, key);
   if (!info.contains("index")) return {};
   const Json& texture = element(tree, "textures", info["index"]);
-  const Json& webp = objectIn(objectIn(texture, "extensions"), kWebp);
-  const Json& source = webp.contains("source") ? webp["source"] : texture.value("source", Json());
+  const Json source = sourceOf(texture);
   Map map;
   if (!source.is_number_integer()) return map;
   map.image = std::to_string(source.get<std::int64_t>());
@@ -143,10 +152,8 @@ Json textureInfo(Json& tree, const Model& model, const Map& map) {
   Json& images = tree["images"];
   Json& textures = tree["textures"];
   for (std::size_t i = 0; i < textures.size(); ++i) {
-    const Json& webp = objectIn(objectIn(textures[i], "extensions"), kWebp);
-    const Json& source =
-        webp.contains("source") ? webp["source"] : textures[i].value("source", Json());
-    if (element(tree, "images", source).value("uri", "") == uri) return {{"index", i}};
+    if (element(tree, "images", sourceOf(textures[i])).value("uri", "") == uri)
+      return {{"index", i}};
   }
   images.push_back({{"name", painted.name}, {"mimeType", painted.type}, {"uri", uri}});
   const std::size_t image = images.size() - 1;
