@@ -16,6 +16,13 @@ namespace {
 // An edge must be this much better turned, so that rounding turns none to and fro.
 constexpr double kClearlyBetter = 1e-9;
 
+// Which edge of a triangle a walk looks at first: the steps follow no regular order, since a walk
+// that follows one may go round for ever where the triangulation is not Delaunay.
+Index firstEdge(std::uint32_t step) {
+  constexpr std::uint32_t kGolden = 2654435769U;  // 2³² over the golden ratio
+  return ((step * kGolden) >> 16) % 3;
+}
+
 }  // namespace
 
 SheetTriangulation::SheetTriangulation(PointPool& points, const GivenPlane& plane)
@@ -61,8 +68,7 @@ Index SheetTriangulation::addVertex(Index point) {
   return v;
 }
 
-// Walks towards the point; the first edge looked at changes from step to step, so that the walk
-// cannot go round for ever.
+// Walks towards the point.
 Index SheetTriangulation::locate(Index point, std::size_t& zeros, Index& onEdge) {
   Index t = last_;
   for (Index step = 0;; ++step) {
@@ -70,7 +76,7 @@ Index SheetTriangulation::locate(Index point, std::size_t& zeros, Index& onEdge)
     zeros = 0;
     bool isInside = true;
     for (Index i = 0; i < 3 && isInside; ++i) {
-      const Index h = 3 * t + (i + step * step) % 3;
+      const Index h = 3 * t + (i + firstEdge(step)) % 3;
       const int side = pool_.turn(points_[tail(h)], points_[head(h)], point, view_);
       if (side == 0) ++zeros, onEdge = h;
       if (side < 0) isInside = false, t = twins_[h] / 3;
