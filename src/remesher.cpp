@@ -40,11 +40,11 @@ io::Model readFor(const std::string& outputName, const FileBundle& input,
 
 void requireUnpainted(const RemeshOptions& options) {
   if (options.textures != Textures::Bake) return;
-  throw Error(ErrorCode::InvalidOption, "textures can be baked of files only.",
+  throw Error(ErrorCode::InvalidOption, "Textures can be baked only for files, not for arrays.",
               "Give the file, with its images, to remeshFile or repairFile.");
 }
 
-// A slab is the result as it was thinned out.
+// The result of one slab: its thinned-out triangles, not remeshed.
 SceneRun slabRun(std::vector<io::Part>& parts) {
   SceneRun run;
   run.parts = std::move(parts);

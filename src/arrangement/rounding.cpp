@@ -114,8 +114,8 @@ class RoundedSurface {
     return k;
   }
 
-  // Needles by their longest edges, the longest first: beyond that of the first one there is no
-  // needle with a longer one, so that each flip leaves fewer needles of that length.
+  // Needles by their longest edges, the longest first: a flip makes no needle with a longer edge,
+  // so that each length is done with in its turn.
   std::pair<double, Index> placeInQueue(Index f) const {
     const std::array<Index, 3> c = corners(f);
     const std::size_t k = longestOf(c);

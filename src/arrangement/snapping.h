@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Parts of a closed surface that lie on each other but for a few roundings get the same points, and
-// so the same edges and triangles: then they cancel, or count as one. This is done near triangles
-// that intersect only, in the manner of snap rounding.
+// so the same edges and triangles: then they cancel, or count as one. This is done only near
+// triangles that intersect, in the manner of snap rounding.
 #pragma once
 
 #include <functional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The options of a run. Angles in degrees, lengths in model units, errors in percent of
-// the bounding box diagonal. An unset optional means the scheme's own default, which `resolved`
-// fills in.
+// the bounding box diagonal. An unset optional means the scheme's own default, which each step
+// fills in where it reads the option.
 #pragma once
 
 #include <optional>
@@ -118,7 +118,7 @@ struct RemeshOptions {
   std::optional<double> gap;  // the widest opening that repair closes, percent of the diagonal
   bool cavities = false;      // of solids, the inner ones: kept, not filled
   Sheets sheets = Sheets::Thicken;
-  bool keepRims = false;            // loops that look meant stay open
+  bool keepRims = false;            // loops that look intended stay open
   std::optional<double> thickness;  // of the bodies that sheets become, a length in the world
   bool base = false;                // open reliefs get upright walls and a flat base
   bool unite = false;               // of files: all meshes become one surface

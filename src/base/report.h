@@ -135,7 +135,7 @@ struct RepairReport {
   std::size_t islands = 0;                   // open pieces removed
   std::size_t shells = 0;                    // bodies inside other bodies, removed
   std::size_t turned = 0;                    // triangles turned over
-  std::size_t rims = 0;                      // open loops that look meant, left open
+  std::size_t rims = 0;                      // open loops that look intended, left open
   std::size_t bodies = 0;                    // sheets that became bodies: thickened, or with a base
   std::vector<SizedPlace> closedAt, rimsAt;  // some of the loops closed, and of those rims
   double lost = 0;           // percent of the area that the result lacks: seen and farther than:

@@ -132,7 +132,7 @@ Model read(const File& file, const std::vector<File>& resources) {
                 std::string(content.advice));
   const Format* const format = found != nullptr ? found : named;
   if (format == nullptr)
-    throw Error(ErrorCode::UnknownFormat, legible(file.name) + " is of no format that can be read.",
+    throw Error(ErrorCode::UnknownFormat, legible(file.name) + " is in no format that can be read.",
                 "Give a file that ends in one of " + listOfExtensions(true) + ".");
   if (format->read == nullptr)
     throw Error(ErrorCode::UnknownFormat,
@@ -153,10 +153,10 @@ void requireWritable(const std::string& outputName) {
   if (findByExtension(outputName) != nullptr) return;
   if (outputName.empty())
     throw Error(
-        ErrorCode::UnknownFormat, "An output without a name is of no format.",
+        ErrorCode::UnknownFormat, "The output has no name, so its format is unknown.",
         "Give `name`, the input's, or `output`, ending in one of " + listOfExtensions(false) + ".");
   throw Error(ErrorCode::UnknownFormat,
-              legible(outputName) + " is of no format that can be written.",
+              legible(outputName) + " names no format that can be written.",
               "Let its name end in one of " + listOfExtensions(false) + ".");
 }
 

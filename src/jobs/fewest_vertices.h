@@ -18,7 +18,7 @@ bool hasNumber(const RemeshOptions& options);
 // which is raised as the bound needs: quads are not made within a bound, but measured.
 bool asksForFewest(const RemeshOptions& options);
 
-// Drafts find the number to a tenth; if no draft keeps the bound, it is the input's own number. Of
+// Drafts find the number within a tenth; if no draft keeps the bound, it is the input's own number. Of
 // a raised number the outcome says MaxError, also if no number is enough. ISOTROPIC_TAKES_MORE, if
 // the input's own triangles are taken, and uneven.
 // Throws the Errors of remeshSurface.

@@ -16,7 +16,7 @@ namespace remesher {
 class RegionRun {
  public:
   // Takes the triangles of the options' region out of the only part; does nothing without a region.
-  // Throws INVALID_OPTION for several parts, and for numbers that no triangle has; the Errors
+  // Throws INVALID_OPTION for several parts, and for triangles that do not exist; the Errors
   // of requireValid.
   RegionRun(std::vector<io::Part>& parts, const RemeshOptions& options);
 

@@ -29,7 +29,7 @@ namespace remesher {
 
 namespace {
 
-// The approximate share of a run's time.
+// The share of a run's time that measuring takes, about.
 constexpr double kMeasureShare = 0.15;
 
 // Nothing is remeshed yet.
@@ -71,7 +71,7 @@ void passOn(SceneRun& run, std::size_t number, const io::Part& original, const E
   run.report.warnings = joined(std::move(run.report.warnings), {passedOn(original, reason.what())});
 }
 
-// The input of the result, and its purpose.
+// The inspected parts, and how the output file holds their results.
 struct SceneInput {
   const InspectedParts& originals;
   Held held;
@@ -238,7 +238,7 @@ bool maySimplify(const RemeshOptions& options) {
 }
 
 // Remeshes with one number of vertices after the other, until the result has as many faces as the
-// budget allows. Most results meet it at once; later ones show no progress.
+// budget allows. Most results meet it at once; later tries show no progress.
 SceneRun remeshTowards(const SceneInput& input, RemeshOptions options, const Progress& progress) {
   options.tooFew = TooFew::Raise;
   FaceSearch search(options, input.originals.report());

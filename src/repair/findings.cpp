@@ -88,10 +88,12 @@ RepairedMesh asRepaired(ExactRepair exact, const char* mode) {
   result.report.bodies = exact.madeAt.size();
   result.report.closedAt = listed(exact.closedAt);
   result.report.rimsAt = listed(exact.rimsAt);
-  warnOfWidest(result,
-               {"RIMS_CLOSED", "Loops that look meant were closed; --keep-rims leaves them open."},
-               exact.meantAt);
-  warnOfWidest(result, {"RIMS_LEFT_OPEN", "Loops that look meant were left open."}, exact.rimsAt);
+  warnOfWidest(
+      result,
+      {"RIMS_CLOSED", "Openings that look intended were closed; --keep-rims leaves them open."},
+      exact.meantAt);
+  warnOfWidest(result, {"RIMS_LEFT_OPEN", "Openings that look intended were left open."},
+               exact.rimsAt);
   addWarning(result,
              {"HOLES_LEFT_OPEN", "Holes that are longer around than asked for were left open.",
               exact.openAt.size()},

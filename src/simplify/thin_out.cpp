@@ -22,8 +22,8 @@ namespace {
 
 // See kSideways, kBorder and kTurned in simplify.cpp.
 constexpr double kSidewaysWeight = 5e-6, kBorderWeight = 2, kLeastTurn = 0.5;
-// A pass lets go this part of the vertices at most, the cheapest; the next one knows their new
-// costs. Passes end when one lets go less than its least part.
+// A pass removes at most the first part of the vertices (1/2), the cheapest; the next one knows the
+// new costs. Passes end when one removes less than the second part.
 constexpr std::size_t kPassPart = 2, kLeastPart = 200;
 // It takes them in so many slices, the cheaper one first.
 constexpr std::size_t kSlices = 4;

@@ -11,10 +11,10 @@ namespace remesher {
 
 // The largest factor by which the part's places scale it; 1 if it is shown nowhere.
 inline double shownScale(const io::Part& part) {
-  double sum = 0;
+  double largest = 0;
   for (const Transform& place : part.instances)
-    sum = std::max(sum, std::cbrt(std::abs(place.linear().determinant())));
-  return sum > 0 ? sum : 1;
+    largest = std::max(largest, std::cbrt(std::abs(place.linear().determinant())));
+  return largest > 0 ? largest : 1;
 }
 
 }  // namespace remesher

@@ -192,9 +192,9 @@ test('points far from the origin stay apart', async () => {
 
 test('other formats are refused in a sentence', async () => {
   await rejectsWith(convertFile(off, { name: 'torus.off', output: 'stl', compress: 'draco' }),
-    'INVALID_OPTION', /compress is of glTF, and torus\.stl is none/);
+    'INVALID_OPTION', /compress works for glTF only, and torus\.stl/);
   await rejectsWith(remesh(torus(), { compress: 'draco', worker: false }), 'INVALID_OPTION',
-    /compress is of files/);
+    /compress applies to files only/);
   await rejectsWith(convertFile(off, { name: 'torus.off', output: 'glb', compress: 'zip' }),
     'INVALID_OPTION', /one of auto, meshopt, draco/);
 });

@@ -15,6 +15,7 @@ import { StdioClientTransport } from '@modelcontextprotocol/sdk/client/stdio.js'
 import { inspect, remeshFile } from 'remesher';
 
 import { startChromium } from '../support/chromium.js';
+import { openGltf } from '../support/gltf.js';
 import { linkInstalled } from '../support/installed.js';
 import { offText, torus } from '../support/shapes.js';
 import { serve } from '../support/line_of_page.js';
@@ -85,6 +86,8 @@ const recipes = {
   async 'gltf-transform'() {
     const { place } = await follow('gltf-transform');
     assert.equal(await verticesIn(join(place, 'smaller.glb')), 350);
+    const { tree } = openGltf({ bytes: readFileSync(join(place, 'smaller.glb')) });
+    assert.deepEqual(tree.extensionsRequired, ['KHR_mesh_quantization']);
   },
   async batch() {
     const { place, printed } = await follow('batch');

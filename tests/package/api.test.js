@@ -223,8 +223,8 @@ test('an output of no known format is refused before the work', async () => {
   const phases = [];
   const call = (output) => remeshFile(bytes,
     { name: 'a.off', output, vertices: 900, onProgress: ({ phase }) => phases.push(phase) });
-  await rejectsWith(call('a.step'), 'UNKNOWN_FORMAT', /^a\.step is of no format/);
-  await rejectsWith(call('doc'), 'UNKNOWN_FORMAT', /^a\.doc is of no format/);
+  await rejectsWith(call('a.step'), 'UNKNOWN_FORMAT', /^a\.step names no format/);
+  await rejectsWith(call('doc'), 'UNKNOWN_FORMAT', /^a\.doc names no format/);
   await rejectsWith(convertFile(bytes, { name: 'a.off', output: 'a.' }), 'UNKNOWN_FORMAT', /^a\./);
   assert.deepEqual(phases, []);
 });
@@ -235,9 +235,9 @@ test('a file without a name is known by its first bytes, and spoken of', async (
   const { name, report } = await remeshFile(bytes, { output: 'glb', vertices: 60 });
   assert.equal(name, 'remeshed.glb');
   assert.equal(report.output.vertices, 60);
-  await rejectsWith(remeshFile(bytes), 'UNKNOWN_FORMAT', /^An output without a name/);
+  await rejectsWith(remeshFile(bytes), 'UNKNOWN_FORMAT', /^The output has no name/);
   await assert.rejects(remeshFile(bytes), ({ hint }) => /`name`.*`output`/.test(hint));
-  await rejectsWith(inspect(bytes.slice(1)), 'UNKNOWN_FORMAT', /^The file is of no format/);
+  await rejectsWith(inspect(bytes.slice(1)), 'UNKNOWN_FORMAT', /^The file is in no format/);
   await rejectsWith(inspect(bytes.slice(0, 9)), 'PARSE_ERROR', /^The file, line \d/);
 });
 

@@ -128,8 +128,8 @@ test('the command line writes it beside the result, or not at all', () => {
   assert.equal(readFileSync(join(folder, 'card.md'), 'utf8'),
     cardText(JSON.parse(stdout).card, { title: 'ring.stl' }));
   for (const [refused, why] of [
-    [['inspect', 'ring.stl', '--card', 'b.md'], /--card is of files that are remeshed/],
-    [['ring.stl', '-o', 'many/', '--card', 'b.md'], /--card is of one file/],
+    [['inspect', 'ring.stl', '--card', 'b.md'], /remesher inspect has no --card/],
+    [['ring.stl', '-o', 'many/', '--card', 'b.md'], /--card takes a single input file/],
     [[...words, '--card', 'b.stl'], /b\.stl is a text/],
     [[...words, '--card', 'none/b.md'], /none.b\.md cannot be written/],
     [['lost.stl', '-o', 'c.stl', '--card', 'b.md'], /lost\.stl/]]) {

@@ -40,7 +40,7 @@ test('lengths are in the units of the model', () => {
     { edgeLength: 25.4, thickness: 2, dropBelow: 'auto', lengths: { maxError: 10 } });
   assert.deepEqual(inModelUnits({ lods: ['1px', '2px'] }).lodsBy, 'pixels');
   assert.throws(() => inModelUnits({ maxError: '1cm' }),
-    /--max-error 1cm is a length, and nothing says the unit of the model.*/);
+    /--max-error 1cm is a length, but the unit of the model is unknown.*/);
   assert.equal(lengthInWords(0.01234, 'm', 2), '12.3 mm');
   assert.equal(lengthInWords(0.5, 'in', 2), '0.5 in');
 });
@@ -96,7 +96,7 @@ test('repair takes lengths, too', async () => {
 
 test('without a unit there is one sentence, on the command line in its words', async () => {
   await rejectsWith(remesh(ring, { maxError: '0.1mm', worker: false }), 'INVALID_OPTION',
-    /^maxError: '0.1mm' is a length, and nothing says the unit of the model\./);
+    /^maxError: '0.1mm' is a length, but the unit of the model is unknown\./);
   writeFileSync(join(folder, 'a.off'), off);
   const run = (...words) => [join(root, 'dist/cli/cli.js'), 'a.off', ...words];
   const { status, stderr } = spawnSync(process.execPath,

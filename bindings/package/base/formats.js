@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The formats by their extensions: the same as in src/io/formats.cpp (a test compares them). In a
-// `.gz` each that is read can be read too.
+// The formats by their extensions: the same as in src/io/formats.cpp (a test compares them). Each
+// that is read can be read from a `.gz` too.
 
 export { isGltf, isObj } from './contents.js';
 

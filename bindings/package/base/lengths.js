@@ -76,7 +76,7 @@ const flagOf = (name) =>
 
 /** @param {string} name @param {unknown} text */
 const unitMissing = (name, text) => new RemeshError('INVALID_OPTION',
-  `${flagOf(name)} ${text} is a length, and nothing says the unit of the model.`,
+  `${flagOf(name)} ${text} is a length, but the unit of the model is unknown.`,
   'Say it: --units mm, cm, m or in.');
 
 /** The options that are lengths in the core itself; the others are in percent of the diagonal. */

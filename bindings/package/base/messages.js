@@ -351,7 +351,7 @@
  * @property {number} islands Small open components removed.
  * @property {number} shells Bodies inside others, removed because nobody sees them.
  * @property {number} turned Triangles turned over.
- * @property {number} rims Open loops that look meant, left open.
+ * @property {number} rims Openings that look intended, left open.
  * @property {number} bodies Sheets that became bodies.
  * @property {SizedPlace[]} closedAt Some of the loops closed, the widest first.
  * @property {SizedPlace[]} rimsAt Some of those rims, likewise.

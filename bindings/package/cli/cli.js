@@ -55,7 +55,7 @@ async function runOne(line) {
     new Api(platform), { worker: false, onProgress }).finally(clear);
   if (isPiped && result.files.length > 1) {
     throw new RemeshError('INVALID_OPTION',
-      `${format} is ${result.files.length} files here, and - is one.`,
+      `A ${format} of this model is ${result.files.length} files, and standard output takes one.`,
       'Use --format glb, or write to a file.');
   }
   if (isPiped) await print(result.files[0].bytes);

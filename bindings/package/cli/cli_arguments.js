@@ -203,10 +203,9 @@ function checkAlone({ skipExisting, jobs }) {
 function checkCard({ command, card, output }) {
   if (card === '' || command === 'help' || command === 'version') return;
   if (command !== 'remesh' && command !== 'repair') {
-    throw wrongUse(`--card is of files that are remeshed or repaired: remesher ${command} has `
-      + 'none.');
+    throw wrongUse(`remesher ${command} has no --card: only remeshing and repair write one.`);
   }
-  if (isFolder(output)) throw wrongUse('--card is of one file.', 'With --json each has its card.');
+  if (isFolder(output)) throw wrongUse('--card takes a single input file.', 'With --json each has its card.');
   if (!/\.(md|markdown|txt)$/i.test(card)) {
     throw wrongUse(`The card ${legible(card)} is a text.`, 'Let it end in .md.');
   }

@@ -19,7 +19,8 @@ const namesGltf = (/** @type {string} */ name) => /\.gl(b|tf)$/i.test(name);
 export function requireCompressible(output) {
   if (namesGltf(output)) return;
   throw new RemeshError('INVALID_OPTION',
-    `--compress is of glTF, and ${legible(output)} is none.`, 'Name the output .glb or .gltf.');
+    `compress works for glTF only, and ${legible(output)} is another format.`,
+    'Name the output .glb or .gltf.');
 }
 
 /** @param {Uint8Array} bytes */

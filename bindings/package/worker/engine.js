@@ -295,7 +295,7 @@ async function requireFile(job) {
     (await import('../codecs/compress.js')).requireCompressible(job.file.output);
     return;
   }
-  throw new RemeshError('INVALID_OPTION', '--compress is of files, and arrays are none.',
+  throw new RemeshError('INVALID_OPTION', 'compress applies to files only, not to arrays.',
     'Give the file to remeshFile or repairFile.');
 }
 

@@ -331,7 +331,8 @@ void GeometryReader::settleJoints() {
     for (float& joint : joints.values) {
       if (joint < jointCount) continue;
       joint = 0;
-      warn("JOINT_NOT_IN_SKIN", "Vertices bound to joints that their skin has not lose these.");
+      warn("JOINT_NOT_IN_SKIN",
+           "Vertices bound to joints that their skin lacks lose these bindings.");
     }
   }
 }

@@ -139,7 +139,7 @@ Facets readBinary(const File& file) {
   if (size < kFacetsAt)
     throw Error(ErrorCode::ParseError,
                 legible(file.name) +
-                    ": it is shorter than the header of an STL, and begins not with solid.",
+                    ": it is shorter than the header of an STL, and does not begin with \"solid\".",
                 "Was it copied completely?");
   ByteReader reader(file);
   const std::string header(reinterpret_cast<const char*>(reader.next(kHeaderBytes)), kHeaderBytes);

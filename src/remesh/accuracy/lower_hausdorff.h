@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Near the end of both schemes a handful of spots decide the Hausdorff distance. The vertices
-// around each spot move, on and off the surface, to where the largest distance around them, in both
-// directions, is smallest.
+// Near the end of each scheme, and in finished quads, a handful of spots decide the Hausdorff
+// distance. The vertices around each spot move, on and off the surface, to where the largest
+// distance around them, in both directions, is smallest.
 #pragma once
 
 #include "remesh/steps/run.h"

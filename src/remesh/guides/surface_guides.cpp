@@ -14,6 +14,8 @@ namespace {
 // Nearer to the point before than this share of a step, a point is left out: strokes of a mouse
 // have far more points than quads have sides.
 constexpr double kTooNear = 0.5;
+// The same after points were brought onto the surface, where steps may have become shorter.
+constexpr double kTooNearAfter = 0.25;
 
 }  // namespace
 
@@ -47,7 +49,7 @@ std::vector<Guide> onSurface(std::span<const Guide> guides, const TriangleTree& 
     own.points.clear();
     for (const Vec3& p : steppedAlong(guide, step)) {
       const Vec3 at = surface.nearest(p).point;
-      if (own.points.empty() || distance(own.points.back(), at) > kTooNear * kTooNear * step)
+      if (own.points.empty() || distance(own.points.back(), at) > kTooNearAfter * step)
         own.points.push_back(at);
     }
     if (own.points.size() > (own.isClosed ? 2U : 1U)) brought.push_back(std::move(own));

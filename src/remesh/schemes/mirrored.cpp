@@ -168,7 +168,7 @@ MirroredOutcome remeshMirrored(const TriangleMesh& input, const std::vector<Mirr
     chartless = std::move(candidates.seams.chartless);
   }
   std::string lost = "with more, quads of this number have another surface";
-  if (options.exact) lost = "an exact number of vertices is not to be had with more";
+  if (options.exact) lost = "with more, the exact number of vertices cannot be reached";
   if (mirrors.planes.size() < all)
     lost = "seams or borders of materials are not mirrored onto edges";
   const std::vector<MirrorPlane> free = mirrors.planes;
@@ -206,9 +206,10 @@ RemeshOutcome remeshForced(const TriangleMesh& input, const RemeshOptions& optio
     fires("symmetry: forced with another number");
   }
   if (!made)
-    throw Error(ErrorCode::InvalidOption,
-                "symmetry: the quads of one side and their mirror images make no surface.",
-                "Ask for another number of vertices, or leave symmetry out.");
+    throw Error(
+        ErrorCode::InvalidOption,
+        "symmetry: the quads of one side and their mirror images do not join into one surface.",
+        "Ask for another number of vertices, or leave symmetry out.");
   std::erase_if(made->warnings, isNumberNote);
   noteNumber(*made, {asked, options.exact});
   made->warnings.push_back({"QUADS_MADE_SYMMETRIC", std::move(forced.said), mirrors.planes.size()});

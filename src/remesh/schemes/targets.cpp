@@ -92,7 +92,7 @@ void checkOptions(const RemeshOptions& options, std::size_t inputVertices) {
   const double adaptivity = options.adaptivity.value_or(0);
   require(adaptivity >= 0 && adaptivity <= 1,
           "adaptivity is " + inDigits(adaptivity, kMessageDigits) + ", not between 0 and 1.",
-          "0 gives isotropic triangles, 1 follows curvature fully.");
+          "0 gives triangles of one size, 1 follows curvature fully.");
   require(!options.weld || *options.weld > 0, "weld is not above 0.",
           "It is in percent of the diagonal; leave it out to join nothing more.");
   require(!options.maxError || *options.maxError > 0, "maxError is not above 0.",
@@ -111,7 +111,7 @@ double surfaceArea(const BuiltMesh& built) {
     total += area(built.positions[a], built.positions[b], built.positions[c]);
   }
   if (total > 0) return total;
-  throw Error(ErrorCode::NoTriangles, "No triangle has an area: each is a line.",
+  throw Error(ErrorCode::NoTriangles, "No triangle has an area: all are degenerate.",
               "Was the mesh scaled to zero in one direction, or rounded too coarsely?");
 }
 

@@ -165,7 +165,7 @@ void leaveSheets(const BuiltMesh& built, const LoopRule& rule, std::vector<Loop>
   }
 }
 
-// Takes out the loops that are too long, and with the rule those that look meant.
+// Takes out the loops that are too long, and with the rule those that look intended.
 void leaveOpen(const BuiltMesh& built, const LoopRule& rule, std::vector<Loop>& loops,
                ClosedHoles& result) {
   std::vector<Loop> closing;

@@ -16,7 +16,7 @@ struct LoopRule {
   // A component whose disks would have more than this share of its own area is a sheet, such as a
   // card or a terrain: its loops stay open.
   double mostDisk = kInfinity;
-  bool keepsRims = false;  // loops that look meant stay open
+  bool keepsRims = false;  // loops that look intended stay open
   // Sheets are wanted, as they are or as bodies afterwards: their small loops that do not look
   // meant are closed, and open components stay, however small.
   bool keepsSheets = false;
@@ -27,8 +27,8 @@ struct ClosedHoles {
   std::vector<InputTriangle> kept;   // per triangle that is in no disk the input's, ascending
   std::size_t holes = 0;             // loops closed
   std::vector<SizedPlace> closedAt;  // each of them
-  std::vector<SizedPlace> meantAt;   // those of them that look meant
-  std::vector<SizedPlace> rimsAt;    // loops left open because they look meant
+  std::vector<SizedPlace> meantAt;   // those of them that look intended
+  std::vector<SizedPlace> rimsAt;    // loops left open because they look intended
   std::vector<Vec3> openAt;          // a vertex of each loop too long to be closed
   std::vector<Vec3> sheetsAt;        // a vertex of each sheet
   double sheetArea = 0;              // of all sheets

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which open loops look meant, such as a vase's mouth, mounting holes or the sides of a box without
+// Which open loops look intended, such as a vase's mouth, mounting holes or the sides of a box without
 // a lid: round ones, and straight ones at which walls end. What scanning or cutting has torn is
 // ragged, or a cell that lacks its triangles.
 #pragma once

@@ -27,7 +27,7 @@ TriangleMesh lacking(const TriangleMesh& mesh, const std::function<bool(const Ve
   return result;
 }
 
-// How many loops look meant, of how many.
+// How many loops look intended, of how many.
 std::pair<std::size_t, std::size_t> meantOf(const TriangleMesh& mesh) {
   const BuiltMesh built = buildMesh(mesh);
   const std::vector<Loop> loops = boundaryLoops(built);
@@ -58,7 +58,7 @@ TriangleMesh tube(int n, double lean) {
 
 }  // namespace
 
-TEST_CASE("rims: a mouth, a mounting hole and the open side of a box look meant") {
+TEST_CASE("rims: a mouth, a mounting hole and the open side of a box look intended") {
   for (const double lean : {0.0, 0.3, -0.1}) CHECK(meantOf(tube(24, lean)) == std::pair(2UL, 2UL));
   for (const bool isRound : {true, false}) CHECK(meantOf(plateWithHole(32, isRound)).first == 2);
   const TriangleMesh box = lacking(shapes::cube(3), [](const Vec3& p) { return p.z() > 2.99; });
@@ -76,7 +76,7 @@ TEST_CASE("rims: an eye hole on a curved head looks meant") {
   CHECK(meantOf(head).first >= 1);
 }
 
-TEST_CASE("rims: missing triangles, cells and stars do not look meant") {
+TEST_CASE("rims: missing triangles, cells and stars do not look intended") {
   const TriangleMesh ball = shapes::icosphere(8);
   TriangleMesh one = ball;
   one.indices.resize(one.indices.size() - 3);
