@@ -67,7 +67,7 @@ class AtlasPainting {
       surfaces_.back().takeNormals();
       surfaces_.back().joinFacings();
     }
-    if (showFacets())
+    if (areAllOnFacets())
       for (NewSurface& surface : surfaces_) surface.dropNormals();
   }
 
@@ -126,10 +126,15 @@ class AtlasPainting {
 
   // Whether all parts look like their originals without normals. Coarser levels share the maps, but
   // do not lie on the facets.
-  bool showFacets() const {
+  bool areAllOnFacets() const {
     if (input_.onto || !input_.options.lods.empty()) return false;
-    for (std::size_t i = 0; i < surfaces_.size(); ++i)
-      if (!showsFacets(surfaces_[i].mesh(), *sources_[input_.originalOf[i]])) return false;
+    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+      const TriangleMesh& mesh = surfaces_[i].mesh();
+      const PaintSource& source = *sources_[input_.originalOf[i]];
+      if (!source.isFaceted()) return false;
+      const auto places = input_.areGiven[i] ? placesOn(mesh, source) : places_[i];
+      if (!liesOnFacets(mesh, source, places)) return false;
+    }
     return true;
   }
 

@@ -71,9 +71,8 @@ std::vector<InputPlace> placesOn(const TriangleMesh& mesh, const PaintSource& so
   return places;
 }
 
-bool showsFacets(const TriangleMesh& mesh, const PaintSource& source) {
-  if (!source.isFaceted()) return false;
-  const std::vector<InputPlace> places = placesOn(mesh, source);
+bool liesOnFacets(const TriangleMesh& mesh, const PaintSource& source,
+                  const std::vector<InputPlace>& places) {
   for (std::size_t h = 0; h < places.size(); ++h) {
     const auto [a, b, c] = cornersOf(mesh, h / 3);
     if (source.faceNormal(places[h].triangle).dot(unitNormal(a, b, c)) < kOnFacet) return false;

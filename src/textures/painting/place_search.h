@@ -30,8 +30,9 @@ class PlaceSearch {
 // a sharp edge each side finds its own.
 std::vector<InputPlace> placesOn(const TriangleMesh& mesh, const PaintSource& source);
 
-// Whether the source is shaded facet by facet, and each triangle of the mesh lies on one of these
-// facets: without normals the mesh then looks like the source.
-bool showsFacets(const TriangleMesh& mesh, const PaintSource& source);
+// Whether each triangle of the mesh lies on a triangle of the source: without normals the mesh then
+// looks like a source that is shaded facet by facet. places: of its corners, by placesOn.
+bool liesOnFacets(const TriangleMesh& mesh, const PaintSource& source,
+                  const std::vector<InputPlace>& places);
 
 }  // namespace remesher
