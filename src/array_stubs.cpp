@@ -82,7 +82,8 @@ RegionRun::RegionRun(std::vector<io::Part>&, const RemeshOptions& options) {
 RemeshOptions RegionRun::applied(RemeshOptions options) const { return options; }
 void RegionRun::finish(std::vector<SceneRun>&) const {}
 
-std::unique_ptr<const ThinnedParts> thinnedParts(std::vector<io::Part>&, const RemeshOptions&) {
+std::unique_ptr<const ThinnedParts> thinnedParts(std::vector<io::Part>&, const RemeshOptions&,
+                                                 const ScanSlabs&) {
   return nullptr;
 }
 RemeshOptions ThinnedParts::applied(RemeshOptions options) const { return options; }

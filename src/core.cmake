@@ -195,6 +195,7 @@ set(small
   src/jobs/parts/part_unions.cpp
   src/jobs/parts/quad_diagonals.cpp
   src/jobs/parts/shape_shares.cpp
+  src/jobs/prepared_parts.cpp
   src/jobs/repair_words.cpp
   src/jobs/scene_run.cpp
   src/measure/distance_bound.cpp

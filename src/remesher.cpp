@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "remesher.h"
 
-#include <memory>
 #include <utility>
 
 #include "io/formats.h"
@@ -16,12 +15,10 @@
 #include "jobs/parts/part_joining.h"
 #include "jobs/parts/part_lengths.h"
 #include "jobs/parts/part_report.h"
-#include "jobs/parts/quad_diagonals.h"
+#include "jobs/prepared_parts.h"
 #include "jobs/region_run.h"
 #include "jobs/run_guards.h"
 #include "jobs/scene_run.h"
-#include "jobs/thinned_parts.h"
-#include "jobs/touching_parts.h"
 
 namespace remesher {
 namespace {
@@ -88,22 +85,14 @@ RemeshSceneResult remeshScene(std::vector<PlacedMesh> scene, const RemeshOptions
   limitEdges(inPercent);
   const RegionRun region(parts, inPercent);
   const RemeshOptions options = region.applied(inPercent);
-  parts = joinedPlaces(std::move(parts), options);
-  if (options.quads) parts = cutAlongShorter(std::move(parts));
   const std::vector<Warning> settled = settleAttributes(parts);
   const Progress stretch = progress.timedBy(clock);
-  const std::unique_ptr<const ThinnedParts> thinned = thinnedParts(parts, options);
   const double mended = mendShare(options);
-  const Mending mending(parts, options, stretch.part(0, mended));
-  const TouchingParts conform(parts, options);
+  const PreparedParts prepared({parts}, options, stretch.part(0, mended));
   std::vector<SceneRun> runs = region.within([&] {
-    RemeshOptions chosen = conform.applied(mending.chosen(options));
-    if (thinned) chosen = thinned->applied(std::move(chosen));
-    return remeshLevels(conform.parts(), Held::Apart, chosen, stretch.part(mended, 1));
+    return remeshLevels(prepared.parts(), Held::Apart, prepared.options(), stretch.part(mended, 1));
   });
-  conform.finish(runs);
-  mending.note(runs.front(), Held::Apart);
-  if (thinned) thinned->note(runs);
+  prepared.finish(runs, Held::Apart);
   region.finish(runs);
   runs.front().report.warnings = joined(settled, runs.front().report.warnings);
   std::vector<std::vector<TriangleMesh>> levels;
@@ -111,7 +100,8 @@ RemeshSceneResult remeshScene(std::vector<PlacedMesh> scene, const RemeshOptions
     levels.emplace_back();
     for (io::Part& part : run.parts) levels.back().push_back(std::move(part.mesh));
   }
-  for (std::vector<TriangleMesh>& level : levels) level = withEmpty(level, mending.isGone());
+  for (std::vector<TriangleMesh>& level : levels)
+    level = withEmpty(level, prepared.mending().isGone());
   RemeshSceneResult result{
       std::move(levels.front()), timed(std::move(runs.front().report), clock), {}};
   result.lods.assign(levels.begin() + 1, levels.end());
@@ -154,34 +144,29 @@ RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
     io::unite(model, outputName);
   if (!options.lods.empty()) io::replaceLevels(model);
   std::vector<SceneRun> runs = inFile(input.file.name, [&]() -> std::vector<SceneRun> {
-    model.parts = joinedPlaces(std::move(model.parts), options);
-    if (options.quads) model.parts = cutAlongShorter(std::move(model.parts));
     whole.phase("inspect", kReadShare, kReadShare);
-    const ThinnedParts thinned(model.parts, options, {}, input.slabs);
-    std::vector<io::Part> given;
-    if (options.repair != Repair::Off && !input.pictures.empty()) given = model.parts;
-    const double mended = kReadShare + (1 - kReadShare) * mendShare(options);
-    const Mending mending(model.parts, options, whole.part(kReadShare, mended));
+    const Progress stretch = whole.part(kReadShare, 1);
+    const double mended = mendShare(options);
+    const bool isPainted = !input.pictures.empty();
+    const PreparedParts prepared(
+        {model.parts, input.slabs, isPainted && options.repair != Repair::Off}, options,
+        stretch.part(0, mended));
+    const Mending& mending = prepared.mending();
     model.leftOut = mending.leftOut();
-    const Progress body = whole.part(mended, 1);
-    const TouchingParts conform(model.parts, options);
     model.sharesNodes = options.conform;
-    std::vector<SceneRun> all;
-    RemeshOptions chosen = conform.applied(thinned.applied(mending.chosen(options)));
-    if (mending.isRemade() && !input.pictures.empty() && io::canHold(outputName, io::kHoldsImages))
+    RemeshOptions chosen = prepared.options();
+    if (mending.isRemade() && isPainted && io::canHold(outputName, io::kHoldsImages))
       chosen = withPaint(std::move(chosen), model);
+    const Progress body = stretch.part(mended, 1);
+    std::vector<SceneRun> all;
     if (input.slabs.only > 0)
       all.push_back(slabRun(model.parts));
     else if (chosen.textures == Textures::Bake)
-      all = remeshBaked(model,
-                        {given.empty() ? given : mending.kept(given), std::move(input.pictures)},
-                        chosen, body);
+      all = remeshBaked(model, {prepared.given(), std::move(input.pictures)}, chosen, body);
     else
       all = region.within(
-          [&] { return remeshLevels(conform.parts(), heldIn(outputName), chosen, body); });
-    conform.finish(all);
-    mending.note(all.front(), heldIn(outputName));
-    thinned.note(all);
+          [&] { return remeshLevels(prepared.parts(), heldIn(outputName), chosen, body); });
+    prepared.finish(all, heldIn(outputName));
     region.finish(all);
     return all;
   });

@@ -305,8 +305,9 @@ FidelityReport ThinnedParts::measured(const SceneRun& run) const {
 }
 
 std::unique_ptr<const ThinnedParts> thinnedParts(std::vector<io::Part>& parts,
-                                                 const RemeshOptions& options) {
-  auto thinned = std::make_unique<const ThinnedParts>(parts, options);
+                                                 const RemeshOptions& options,
+                                                 const ScanSlabs& slabs) {
+  auto thinned = std::make_unique<const ThinnedParts>(parts, options, ThinningLimits{}, slabs);
   return thinned->isThinned() ? std::move(thinned) : nullptr;
 }
 

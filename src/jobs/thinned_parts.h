@@ -66,6 +66,7 @@ class ThinnedParts {
 
 // Null if nothing is thinned out.
 std::unique_ptr<const ThinnedParts> thinnedParts(std::vector<io::Part>& parts,
-                                                 const RemeshOptions& options);
+                                                 const RemeshOptions& options,
+                                                 const ScanSlabs& slabs);
 
 }  // namespace remesher
