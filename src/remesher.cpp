@@ -116,7 +116,8 @@ RepairResult repair(const TriangleMesh& mesh, const RemeshOptions& asked,
   const RemeshOptions options = withPercents(asked, parts);
   if (options.textures == Textures::Drop) dropTexcoords(parts.front().mesh);
   const std::vector<Warning> settled = settleAttributes(parts);
-  RepairedParts repaired = repairOnly(parts, Held::Apart, false, options, progress.timedBy(clock));
+  RepairedParts repaired =
+      repairOnly(parts, Held::Apart, IfSound::IsRounded, options, progress.timedBy(clock));
   repaired.report.warnings = joined(settled, repaired.report.warnings);
   return {std::move(parts.front().mesh), timed(std::move(repaired.report), clock)};
 }

@@ -52,8 +52,9 @@ RemeshFileResult repairFile(const FileBundle& input, const std::string& outputNa
     io::unite(model, outputName);
   model.isExact = true;  // a repaired surface must not intersect itself for any reader
   const bool stays = mayStay(input, outputName, model);
+  const IfSound ifSound = stays ? IfSound::FileStays : IfSound::IsRounded;
   RepairedParts repaired = inFile(input.file.name, [&] {
-    return repairOnly(model.parts, heldIn(outputName), stays, options, whole.part(kReadShare, 1));
+    return repairOnly(model.parts, heldIn(outputName), ifSound, options, whole.part(kReadShare, 1));
   });
   model.leftOut = repaired.leftOut;
   Report& report = repaired.report;

@@ -2,8 +2,7 @@
 // The boundary of all that is inside, exactly: closed surfaces are cut along each other, and the
 // winding number of each operand says which parts bound the inside. So the union of bodies, their
 // intersection or difference is found, and the outside of a surface that intersects itself
-// [Zhou, Grinspun, Zorin, Jacobson, Mesh Arrangements for Solid Geometry, 2016]. What nothing cuts
-// comes back bit for bit.
+// [Zhou et al. 2016]. What nothing cuts comes back bit for bit.
 #pragma once
 
 #include <array>

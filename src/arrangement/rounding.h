@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Restores a sound surface after its points were rounded, as far as that takes no new points: equal points become one, opposite triangles cancel, and triangles without an area go.
+// Restores a sound surface after its points were rounded, as far as that takes no new points: equal
+// points become one, opposite triangles cancel, and triangles without an area go.
 #pragma once
 
 #include <cstddef>

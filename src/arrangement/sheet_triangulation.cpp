@@ -271,8 +271,7 @@ Index SheetTriangulation::crossed(Index h, Index support) {
   return v;
 }
 
-// Flips the crossed edges until none crosses the way from a to b [Sloan 1993, A fast algorithm for
-// generating constrained Delaunay triangulations].
+// Flips the crossed edges until none crosses the way from a to b [Sloan 1993].
 void SheetTriangulation::clearWay(Vertex a, Vertex b, std::vector<std::array<Vertex, 2>> crossed) {
   for (std::size_t i = 0; i < crossed.size(); ++i) {
     ++work_;

@@ -13,7 +13,7 @@
 
 namespace remesher {
 
-enum class Scheme { Best, Rounds };          // ours | the report's Algorithm 2
+enum class Scheme { Best, Rounds };          // ours | [DGP 2016], Algorithm 2
 enum class Quality { Draft, Best };          // for scheme `best`: fast | best result
 enum class Projection { Patches, Current };  // onto the original | on the current mesh
 enum class Fidelity { Strict, Loose, Fold };

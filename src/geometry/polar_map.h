@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Geodesic polar maps [report, "Geodesic Polar Mapping", Figure 4]: the neighbourhood of a vertex
+// Geodesic polar maps [DGP 2016, "Geodesic Polar Mapping", Figure 4]: the neighbourhood of a vertex
 // or of an edge laid out in the plane, where the local operators do their geometry.
 #pragma once
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The triangles that a ray crosses, decided exactly: the ray starts at a point, runs along +x and
 // is moved aside by less than any number, so that it passes through no vertex and no edge
-// [Edelsbrunner & Mücke 1990, Simulation of Simplicity].
+// [Edelsbrunner & Mücke 1990].
 #pragma once
 
 #include <algorithm>

@@ -242,7 +242,7 @@ std::vector<io::Part> Mending::kept(std::vector<io::Part> given) const {
   return left;
 }
 
-RepairedParts repairOnly(std::vector<io::Part>& parts, Held held, bool mayStay,
+RepairedParts repairOnly(std::vector<io::Part>& parts, Held held, IfSound ifSound,
                          const RemeshOptions& options, const Progress& progress) {
   const std::vector<io::Part> given = parts;
   parts = joinedPlaces(std::move(parts), options);
@@ -254,7 +254,8 @@ RepairedParts repairOnly(std::vector<io::Part>& parts, Held held, bool mayStay,
   bool isRounded = false;  // whether rounding moved a vertex, or is undone
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const TriangleMesh& own = asGiven[i].mesh;
-    if (mayStay && io::isSame(parts[i].mesh, begun[i].mesh) && joinsNothing(own, begun[i].mesh)) {
+    if (ifSound == IfSound::FileStays && io::isSame(parts[i].mesh, begun[i].mesh) &&
+        joinsNothing(own, begun[i].mesh)) {
       isRounded = isRounded || !io::isSame(own, begun[i].mesh);
       parts[i].mesh = own;
       continue;

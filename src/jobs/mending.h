@@ -67,6 +67,10 @@ class Mending {
   std::optional<double> ratio_;  // of the repaired parts' vertices, where the input's number counts
 };
 
+// What parts with nothing wrong become: if all are so, the given file is the result; or they are
+// rounded for the file that is written.
+enum class IfSound { FileStays, IsRounded };
+
 struct RepairedParts {
   Report report;
   bool isRemade;             // see Mending
@@ -75,9 +79,8 @@ struct RepairedParts {
 };
 
 // Repairs the parts in place. The report describes them as the file holds them, and lacks only the
-// times. mayStay: whether the given file is the result if nothing is wrong with it; else parts with
-// nothing wrong are rounded for the file that is written.
-RepairedParts repairOnly(std::vector<io::Part>& parts, Held held, bool mayStay,
+// times.
+RepairedParts repairOnly(std::vector<io::Part>& parts, Held held, IfSound ifSound,
                          const RemeshOptions& options, const Progress& progress);
 
 // Sets textures to be baked if the options leave it open and repair has made another surface

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A set of faces that stays a topological disk while it grows [report, "Projection on the Initial
+// A set of faces that stays a topological disk while it grows [DGP 2016, "Projection on the Initial
 // Surface", Figure 2], and the finished disk with local numbers. A patch ends at mesh boundaries
 // and at barriers; its rim is one loop that meets no vertex twice.
 #pragma once

@@ -32,7 +32,7 @@ class OriginalSurface {
 
   Vec3 position(const SurfacePoint& p) const;
   // The corners' normals mixed by the weights of p; each is area-weighted over the faces on its
-  // side of the curves [report, "Controlling Mesh Fidelity"]. Not renormalised.
+  // side of the curves [DGP 2016, "Controlling Mesh Fidelity"]. Not renormalised.
   Vec3 normal(const SurfacePoint& p) const;
   const Vec3& cornerNormal(Halfedge h) const { return normals_[normalOf_[h]]; }
 

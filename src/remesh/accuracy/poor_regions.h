@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The report's future work [report, Conclusion]: where the original itself breaks the
+// The report's future work [DGP 2016, Conclusion]: where the original itself breaks the
 // fidelity criteria, every operation is refused and triangles stay poor, as on the face model's
 // nose.
 #pragma once

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The one gate that every operation passes [report, "Controlling Mesh Fidelity"].
+// The one gate that every operation passes [DGP 2016, "Controlling Mesh Fidelity"].
 //
 // With N_i the original's unit normal under a corner i of a triangle T and N_T the normal of T
 // itself:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The four operators [report, "Primitive Strategies"]. Each function checks legality, which depends
-// on connectivity and on the vertices' kinds, computes the new place and describes the change in
-// `change`. It returns whether there is a proposal. The mesh is not modified.
+// The four operators [DGP 2016, "Primitive Strategies"]. Each function checks legality, which
+// depends on connectivity and on the vertices' kinds, computes the new place and describes the
+// change in `change`. It returns whether there is a proposal. The mesh is not modified.
 //
 // The operators that may touch each kind of vertex:
 //             interior          curve                          corner

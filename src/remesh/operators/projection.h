@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Projects a point of a current triangle [report, "Projection on the Initial Surface"]: onto the
+// Projects a point of a current triangle [DGP 2016, "Projection on the Initial Surface"]: onto the
 // original through the overlapping disk patches, or, for comparison, on the current mesh.
 #pragma once
 

@@ -8,12 +8,12 @@
 
 namespace remesher {
 
-// The point p that minimises Σ (A_i(p) − μ_i ΣA)² over the star's triangles [report, "Area Based
+// The point p that minimises Σ (A_i(p) − μ_i ΣA)² over the star's triangles [DGP 2016, "Area Based
 // Vertex Relocation"], by QR decomposition. μ: one weight per triangle of the map, any positive
 // scale.
 Vec2 areaBasedTarget(const PolarMap& star, std::span<const double> mu);
 
-// The mean of the neighbours [report, "Laplacian Smoothing"].
+// The mean of the neighbours [DGP 2016, "Laplacian Smoothing"].
 Vec2 laplacianTarget(const PolarMap& star);
 
 // A smallest angle below this is penalised more than other triangles gain by it. Of seven triangles

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The mesh being remeshed: connectivity, and for every vertex its place on the original surface
-// [report, "Projection on the Initial Surface"]. Each vertex has a VertexKind, and each edge knows
-// the feature curve that it follows, if any. Only the commands at the end change the mesh; the
-// operators (legality) and the fidelity gate (geometry) decide beforehand what is allowed.
+// [DGP 2016, "Projection on the Initial Surface"]. Each vertex has a VertexKind, and each edge
+// knows the feature curve that it follows, if any. Only the commands at the end change the mesh;
+// the operators (legality) and the fidelity gate (geometry) decide beforehand what is allowed.
 #pragma once
 
 #include <span>

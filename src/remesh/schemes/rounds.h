@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `--scheme rounds`: the report's Algorithm 2, step by step.
+// `--scheme rounds`: Algorithm 2 of [DGP 2016], step by step.
 #pragma once
 
 #include "remesh/steps/run.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Algorithm 1 of the report: every edge made locally Delaunay in its polar map, by flips.
+// Algorithm 1 of [DGP 2016]: every edge made locally Delaunay in its polar map, by flips.
 #pragma once
 
 #include "remesh/gate/fidelity.h"

@@ -147,7 +147,7 @@ TEST_CASE("part repair: a thickness that rounding makes is joined before repair,
   RemeshOptions options;
   options.repair = Repair::Wrap;
   std::vector<io::Part> parts = {{"", flat, {}}};
-  repairOnly(parts, Held::Apart, false, options, {});
+  repairOnly(parts, Held::Apart, IfSound::IsRounded, options, {});
   CHECK(inspectMesh(parts.front().mesh).nonManifoldEdges == 0);
   CHECK(selfIntersections(parts.front().mesh).empty());
 }
