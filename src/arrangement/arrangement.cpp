@@ -33,6 +33,9 @@ constexpr int kPatience = 4;
 // In steps of written coordinates: thinner facets have the shape that rounding gave.
 constexpr double kThin = 8;
 
+// Points are brought together within so much of the usual edge, else whole triangles would be.
+constexpr double kMostSnapped = 0.25;
+
 bool isClosed(const ArrangementInput& input) {
   const EdgeGroups edges(input.positions.size(), input.indices);
   for (std::size_t e = 0; e < edges.size(); ++e) {
@@ -187,6 +190,20 @@ double stepOf(std::span<const Vec3> positions, const ArrangementOptions& options
   return options.isSingle ? largest * 0x1p-23 * options.frame.scale() : largest * 0x1p-52;
 }
 
+// How near to each other points may be brought together. Far from the origin steps of single
+// precision may be as long as edges.
+double mostTolerance(const ArrangementInput& input) {
+  std::vector<double> lengths;
+  lengths.reserve(input.indices.size());
+  for (std::size_t i = 0; i < input.indices.size(); ++i) {
+    const Index next = input.indices[i % 3 == 2 ? i - 2 : i + 1];
+    lengths.push_back((input.positions[next] - input.positions[input.indices[i]]).norm());
+  }
+  const auto middle = lengths.begin() + std::ptrdiff_t(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  return kMostSnapped * *middle;
+}
+
 // The weights at the first's parent of a point in one of the first's triangles.
 Vec3 weightsIn(const ArrangementResult& first, Index triangle, const Vec3& p) {
   const ArrangedTriangle& t = first.triangles[triangle];
@@ -224,16 +241,21 @@ struct Snapped {
   std::vector<std::uint8_t> isSame;  // per triangle whether it is as it was
 };
 
-// The result with parts brought together that are so near to each other, around those facets.
-Snapped snapped(const ArrangementResult& first, std::span<const Index> around,
-                const ArrangementOptions& options, double tolerance) {
+// The result with parts brought together that are so near to each other, around those facets; none
+// if that would take too much work.
+std::optional<Snapped> snapped(const ArrangementResult& first, std::span<const Index> around,
+                               const ArrangementOptions& options, double tolerance) {
   Snapped snap;
   ArrangementResult& result = snap.result;
   result.positions = first.positions;
   KeptFacets facets{first.indices, {}, {}};
   facets.from.reserve(first.triangles.size());
   for (Index t = 0; t < first.triangles.size(); ++t) facets.from.push_back({t, 1});
-  snapTogether(result.positions, facets, around, {tolerance, roundingOf(options)});
+  if (!snapTogether(result.positions, facets, around,
+                    {tolerance, roundingOf(options), options.mostWork})) {
+    fires("arrangement: bringing parts together takes too much work");
+    return std::nullopt;
+  }
   mendRounded(result.positions, 0, facets);
   result.indices = std::move(facets.corners);
   result.triangles.reserve(facets.from.size());
@@ -265,7 +287,9 @@ Snapped snapped(const ArrangementResult& first, std::span<const Index> around,
 void dropThinFacets(ArrangementResult& result, const ArrangementOptions& options, double height) {
   const std::vector<Index> around = thinFacets(result, height);
   if (around.empty()) return;
-  auto [other, isSame] = snapped(result, around, options, 2 * height);  // a ring's width
+  std::optional<Snapped> snap = snapped(result, around, options, 2 * height);  // a ring's width
+  if (!snap) return;
+  auto& [other, isSame] = *snap;
   other.selfIntersections =
       result.selfIntersections.empty() ? crossingsOf(other, isSame) : crossingsOf(other);
   if (other.selfIntersections.size() > result.selfIntersections.size()) return;
@@ -316,16 +340,21 @@ ArrangementResult arrange(const ArrangementInput& input, const ArrangementOption
   if (best.outcome != Outcome::Done) return best;
   best.selfIntersections = crossingsOf(best);
   const double step = stepOf(input.positions, options);
-  dropThinFacets(best, options, kThin * step);
+  const double most = mostTolerance(input);
+  if (2 * kThin * step <= most) dropThinFacets(best, options, kThin * step);
   ArrangementResult last = best;
   for (int left = kPatience; left > 0 && !best.selfIntersections.empty(); --left) {
     fires("arrangement: arranged again after rounding");
-    if (isDense(best))
-      last = snapped(best, best.selfIntersections, options, std::ldexp(step, 2 * kPatience - left))
-                 .result;
-    else if (left < kPatience)
-      last =
-          snapped(best, best.selfIntersections, options, std::ldexp(step, kPatience - left)).result;
+    const int doublings = isDense(best) ? 2 * kPatience - left : kPatience - left;
+    if (const double tolerance = std::ldexp(step, doublings); doublings > 0) {
+      if (tolerance > most) {
+        fires("arrangement: steps of coordinates are as long as edges");
+        break;
+      }
+      std::optional<Snapped> snap = snapped(best, best.selfIntersections, options, tolerance);
+      if (!snap) break;
+      last = std::move(snap->result);
+    }
     ArrangementResult next = arrangedAgain(input, options, last);
     if (next.outcome != Outcome::Done || next.indices.empty()) break;
     last = std::move(next);

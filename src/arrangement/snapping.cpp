@@ -10,6 +10,7 @@
 #include <set>
 #include <utility>
 
+#include "base/patience.h"
 #include "geometry/divided_edges.h"
 #include "geometry/triangle.h"
 #include "geometry/triangle_tree.h"
@@ -19,6 +20,8 @@ namespace remesher {
 namespace {
 
 constexpr int kMostSnaps = 24;
+
+constexpr double kStepsPerFacet = 16;  // to gather or to make one
 
 using Corners = std::array<Index, 3>;
 using Ends = std::array<Index, 2>;
@@ -40,19 +43,20 @@ std::optional<std::array<double, 2>> nearestShares(const Vec3& a, const Vec3& b,
 class Snapping {
  public:
   Snapping(std::vector<Vec3>& positions, KeptFacets& facets, const SnapRule& rule)
-      : positions_(positions), facets_(facets), rule_(rule) {}
+      : positions_(positions), facets_(facets), rule_(rule), budget_(double(rule.mostWork)) {}
 
-  void run(std::span<const Index> crossing) {
+  bool run(std::span<const Index> crossing) {
     markNear(crossing);
     // Edges meet once: parts of facets have edges of their own, which would meet others again.
     bool isDivided = true, isMet = false;
-    for (int pass = 0; pass < kMostSnaps && isDivided; ++pass) {
+    for (int pass = 0; pass < kMostSnaps && isDivided && !budget_.isSpent(); ++pass) {
       weldNear();
       gather();
       isDivided =
           divideAtPoints() || divideInside() || (!std::exchange(isMet, true) && divideAtEdges());
     }
     dropVanished();
+    return !budget_.isSpent();
   }
 
  private:
@@ -106,6 +110,7 @@ class Snapping {
       near_.push_back(f);
       nearCorners_.insert(nearCorners_.end(), c.begin(), c.end());
     }
+    budget_.spend(kStepsPerFacet * double(near_.size()));
     points_ = nearCorners_;
     std::sort(points_.begin(), points_.end());
     points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
@@ -170,6 +175,7 @@ class Snapping {
     DividedEdges edges;
     for (const auto& [a, b] : nearEdges())
       tree.visitOverlapping(around({at(a), at(b)}), [&, a = a, b = b](Index i) {
+        budget_.spend(1);
         const Index p = points_[i];
         if (p == a || p == b) return;
         const double share = shareOn(at(a), at(b), at(p));
@@ -219,9 +225,11 @@ class Snapping {
     const TriangleTree tree(positions_, asTriangles_);
     bool isAny = false;
     for (const Index f : near_) {
+      if (budget_.isSpent()) break;
       const Corners c = corners(f);
       Index best = kNone;
       tree.visitOverlapping(around({at(c[0]), at(c[1]), at(c[2])}), [&](Index i) {
+        budget_.spend(1);
         const Index p = points_[i];
         if (p < best && std::find(c.begin(), c.end(), p) == c.end() && isOn(c, at(p))) best = p;
       });
@@ -244,6 +252,7 @@ class Snapping {
     facets_.corners.insert(facets_.corners.end(), c.begin(), c.end());
     facets_.from.push_back(from);
     isNear_.push_back(1);
+    budget_.spend(kStepsPerFacet);
   }
 
   // All facets at divided edges. Returns whether there are any.
@@ -303,6 +312,7 @@ class Snapping {
   std::vector<Vec3>& positions_;
   KeptFacets& facets_;
   const SnapRule& rule_;
+  WorkBudget budget_;
   std::vector<std::uint8_t> isNear_;  // per facet
   // Edges with points that divided them: once, because a needle that is flipped may leave another,
   // which would be flipped back.
@@ -314,9 +324,9 @@ class Snapping {
 
 }  // namespace
 
-void snapTogether(std::vector<Vec3>& positions, KeptFacets& facets, std::span<const Index> crossing,
+bool snapTogether(std::vector<Vec3>& positions, KeptFacets& facets, std::span<const Index> crossing,
                   const SnapRule& rule) {
-  Snapping(positions, facets, rule).run(crossing);
+  return Snapping(positions, facets, rule).run(crossing);
 }
 
 }  // namespace remesher

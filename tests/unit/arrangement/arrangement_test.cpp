@@ -400,6 +400,21 @@ TEST_CASE("arrangement: bodies that nearly coincide, in single precision") {
   }
 }
 
+TEST_CASE("arrangement: where steps of coordinates are nearly as long as edges, none is lost") {
+  std::vector<TriangleMesh> bodies;
+  for (const double shift : {0.0, 0.6}) {
+    bodies.push_back(soups::moved(shapes::icosphere(4), Vec3(0x1p20 + shift, shift / 2, 0)));
+    for (Vec3& p : bodies.back().positions) p = inSingle(p, {});
+  }
+  const ArrangementInput input = inputOf(bodies);
+  ArrangementOptions options;
+  options.isSingle = true;
+  const ArrangementResult result = arrange(input, options);
+  REQUIRE(result.outcome == Outcome::Done);
+  CHECK(isClosed(result));
+  CHECK(volumeOf(result) > volumeOf(bodies[0]));
+}
+
 TEST_CASE("arrangement: untouched triangles stay, in their order") {
   const TriangleMesh sphere = shapes::icosphere(8);
   const ArrangementInput input = inputOf({sphere, soups::moved(sphere, Vec3(1.7, 0.1, 0.2))});

@@ -89,6 +89,26 @@ TEST_CASE("snapping: what is farther away than the tolerance stays") {
   CHECK(facets.corners == mesh.indices);
 }
 
+TEST_CASE("snapping: where the tolerance is as wide as facets, it ends within the most work") {
+  TriangleMesh mesh;
+  constexpr Index kSide = 6;
+  for (const double height : {0.0, 0.9})  // cells 1.1 wide, shifted by half of that above
+    for (Index i = 0; i < kSide * kSide; ++i)
+      mesh.positions.emplace_back(1.1 * (i % kSide) + height / 2, 1.1 * (i / kSide), height);
+  for (const Index first : {Index{0}, kSide * kSide})
+    for (Index i = 0; i + kSide < kSide * kSide; ++i) {
+      if (i % kSide + 1 == kSide) continue;
+      const Index a = first + i, b = a + 1, c = a + kSide, d = c + 1;
+      mesh.indices.insert(mesh.indices.end(), {a, b, d, a, d, c});
+    }
+  KeptFacets facets = facetsOf(mesh);
+  std::vector<Index> all(mesh.triangleCount());
+  std::iota(all.begin(), all.end(), Index{0});
+  const auto same = [](const Vec3& p) { return p; };
+  CHECK_FALSE(snapTogether(mesh.positions, facets, all, {1, same, 5000}));
+  CHECK(facets.from.size() < mesh.triangleCount() + 5000 / 16);
+}
+
 TEST_CASE("snapping: a corner beside an edge divides it, for all facets there") {
   // A tetrahedron whose corner is almost on an edge of the first: both stay closed.
   TriangleMesh mesh = welded(soups::cube(0, 1));
