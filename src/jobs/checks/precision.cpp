@@ -12,6 +12,14 @@ namespace remesher {
 
 namespace {
 
+// As it is written: what is less than a few roundings beside the middle that is added is nothing.
+Vec3 writtenFrom(const Frame& frame, const Vec3& here) {
+  constexpr double kRounding = 0x1p-50;
+  const Vec3 nothing = kRounding * frame.written(Vec3::Zero()).cwiseAbs();
+  const Vec3 p = frame.written(here);
+  return (p.array().abs() <= nothing.array()).select(0, p);
+}
+
 // Where it is too large for single precision it stays: the writer refuses it, and says why.
 Vec3 roundedToSingle(const Vec3& p) {
   const Vec3 single = p.cast<float>().cast<double>();
@@ -23,7 +31,7 @@ Vec3 roundedToSingle(const Vec3& p) {
 RoundedMesh inPrecisionOf(const TriangleMesh& original, TriangleMesh result) {
   const std::size_t places = countPlaces(result.positions);
   const Frame& frame = original.frame;
-  for (Vec3& p : result.positions) p = frame.written(p);
+  for (Vec3& p : result.positions) p = writtenFrom(frame, p);
   if (original.steps)
     if (std::optional<std::vector<Vec3>> whole = inWholeSteps(result, *original.steps))
       result.positions = std::move(*whole);

@@ -40,6 +40,15 @@ TEST_CASE("precision: the smallest numbers, brought to unit size, keep the few d
   CHECK(inPrecisionOf(original, triangleAt({0.9, 0.1, 0})).coincident == 1);
 }
 
+TEST_CASE("precision: what is left of zero beside the middle that is added is nothing") {
+  TriangleMesh original = triangleAt({0, 0, 0});
+  const Vec3 nearZero(0.7, -0.3 + 0x1p-54, 0x1p-54);
+  original.frame.middle = {0.5, 0.3, 0};
+  REQUIRE(original.frame.written(nearZero).y() != 0);
+  const Vec3 here = inPrecisionOf(original, triangleAt(nearZero)).mesh.positions[0];
+  CHECK(original.frame.written(here) == Vec3(0.7 + 0.5, 0, 0x1p-54));
+}
+
 TEST_CASE("precision: places that become one are counted") {
   TriangleMesh original = triangleAt({0, 0, 0});
   original.isSingle = true;
