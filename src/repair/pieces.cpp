@@ -32,7 +32,8 @@ class PieceFinder {
         result_{componentsOfFaces(built.mesh).of.values(), {}} {
     measure();
     for (Index f = 0; f < result_.ofFace.size(); ++f)
-      if (isCrossed[built.triangles[Face(f)]]) isCrossed_[result_.ofFace[f]] = 1;
+      if (isCrossed_[f] = isCrossed[built.triangles[Face(f)]]; isCrossed_[f])
+        ++crossed_[result_.ofFace[f]];
   }
 
   Pieces run() {
@@ -66,7 +67,7 @@ class PieceFinder {
     const std::size_t count =
         ofFace.empty() ? 0 : 1 + *std::max_element(ofFace.begin(), ofFace.end());
     result_.pieces.assign(count, {});
-    isCrossed_.assign(count, 0), seeds_.assign(count, kNone);
+    isCrossed_.assign(ofFace.size(), 0), crossed_.assign(count, 0), seeds_.assign(count, kNone);
     for (SurfacePiece& piece : result_.pieces) piece.kind = SurfacePiece::Kind::Solid;
     for (Index f = 0; f < ofFace.size(); ++f) {
       SurfacePiece& piece = result_.pieces[ofFace[f]];
@@ -84,19 +85,20 @@ class PieceFinder {
     }
   }
 
-  // Intersecting pieces lie in none, nor does a piece alone.
+  // Pieces that intersect others lie in none, unless they do with few faces; nor does a piece
+  // alone.
   void findParents() {
     std::vector<Index> apart;
     for (Index p = 0; p < result_.pieces.size() && result_.pieces.size() > 1; ++p)
-      if (isClosed(p) && !isCrossed_[p]) apart.push_back(p);
+      if (isClosed(p) && crossed_[p] * crossed_[p] <= result_.pieces[p].faces) apart.push_back(p);
     if (apart.empty()) return;
     const TriangleTree tree(built_.positions.values(), corners_);
     findPoints();
     for (const Index p : apart) parents_[p] = innermostAround(p, tree);
   }
 
-  // Of each piece a corner where no other piece is: pieces that touch there hide how they lie in
-  // each other. Else the middle of a face.
+  // Of each piece a corner where no other piece is, of a face that meets none: pieces that touch
+  // there hide how they lie in each other. Else the middle of a face.
   void findPoints() {
     constexpr Index kSeveral = kNone - 1;
     const std::vector<Index> place = weld(built_.positions.values());
@@ -111,7 +113,7 @@ class PieceFinder {
       points_.push_back((t[0] + t[1] + t[2]) / 3);
     }
     for (std::size_t c = corners_.size(); c-- > 0;)
-      if (pieceAt[place[corners_[c]]] == result_.ofFace[c / 3])
+      if (pieceAt[place[corners_[c]]] == result_.ofFace[c / 3] && !isCrossed_[c / 3])
         points_[result_.ofFace[c / 3]] = built_.positions[Vertex(corners_[c])];
   }
 
@@ -131,29 +133,31 @@ class PieceFinder {
   }
 
   // A piece that faces against the solid that it lies in bounds a cavity. Facing as the solid does,
-  // it is a shell that shows nothing.
+  // it is a shell that shows nothing, or, if it intersects others, a body of its own.
   void classify(Index p) {
     SurfacePiece& piece = result_.pieces[p];
-    const Index parent = parents_[p];
+    const SurfacePiece* const around =
+        parents_[p] != kNone ? &result_.pieces[parents_[p]] : nullptr;
     const bool facesOutwards = piece.volume >= 0;
-    if (parent == kNone || result_.pieces[parent].kind == SurfacePiece::Kind::Cavity) {
+    const bool isOpposed = around != nullptr && facesOutwards != (around->volume >= 0);
+    if (around == nullptr || around->kind == SurfacePiece::Kind::Cavity ||
+        (crossed_[p] > 0 && !isOpposed)) {
       piece.isInsideOut = !facesOutwards;
       return;
     }
-    const SurfacePiece& around = result_.pieces[parent];
-    const bool isOpposed = facesOutwards != (around.volume >= 0);
-    const bool isCavity = isOpposed && around.kind == SurfacePiece::Kind::Solid;
+    const bool isCavity = isOpposed && around->kind == SurfacePiece::Kind::Solid;
     piece.kind = isCavity ? SurfacePiece::Kind::Cavity : SurfacePiece::Kind::Shell;
-    piece.isInsideOut = around.isInsideOut;
+    piece.isInsideOut = around->isInsideOut;
   }
 
   const BuiltMesh& built_;
   const std::vector<Index> corners_;
   Pieces result_;
-  std::vector<char> isCrossed_;  // per piece
-  std::vector<Index> seeds_;     // per piece its first face
-  std::vector<Vec3> points_;     // per piece a point of it
-  std::vector<Index> parents_;   // per piece the closed piece that it lies in
+  std::vector<char> isCrossed_;       // per face
+  std::vector<std::size_t> crossed_;  // per piece, its crossed faces
+  std::vector<Index> seeds_;          // per piece its first face
+  std::vector<Vec3> points_;          // per piece a point of it
+  std::vector<Index> parents_;        // per piece the closed piece that it lies in
 };
 
 }  // namespace

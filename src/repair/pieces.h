@@ -30,7 +30,7 @@ struct Pieces {
 };
 
 // isCrossed: per triangle of the built mesh's input whether it intersects others. A piece with such
-// triangles lies in no other piece.
+// triangles lies in no other piece, unless these are few and it bounds a cavity there.
 Pieces piecesOf(const BuiltMesh& built, std::span<const char> isCrossed);
 
 }  // namespace remesher

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "measure/self_intersections.h"
 #include "support/hostile_shapes.h"
 #include "support/shapes.h"
 #include "support/soups.h"
@@ -76,4 +77,20 @@ TEST_CASE("pieces: a cavity that touches the wall in a point is one, from whiche
     CHECK(pieces.pieces[1].kind == SurfacePiece::Kind::Cavity);
     CHECK(!pieces.pieces[1].isInsideOut);
   }
+}
+
+TEST_CASE("pieces: a cavity that meets the wall with few of its faces is one; a body is a body") {
+  const TriangleMesh wall = shapes::icosphere(5), small = scaled(shapes::icosphere(6), 0.4);
+  const auto kindOf = [&](const TriangleMesh& inner, double shift) {
+    const TriangleMesh mesh = soups::joined({wall, soups::moved(inner, Vec3(shift, 0, 0))});
+    std::vector<char> isCrossed(mesh.triangleCount(), 0);
+    for (const Index t : selfIntersections(mesh)) isCrossed[t] = 1;
+    REQUIRE(isCrossed != std::vector<char>(mesh.triangleCount(), 0));
+    const SurfacePiece piece = piecesOf(buildMesh(mesh), isCrossed).pieces[1];
+    return std::pair(piece.kind, piece.isInsideOut);
+  };
+  using Kind = SurfacePiece::Kind;
+  CHECK(kindOf(shapes::turnedOver(small), 0.6) == std::pair(Kind::Cavity, false));
+  CHECK(kindOf(shapes::turnedOver(small), 0.9) == std::pair(Kind::Solid, true));
+  CHECK(kindOf(small, 0.6) == std::pair(Kind::Solid, false));
 }
