@@ -151,6 +151,11 @@ void restore(TriangleMesh& mesh, const TriangleMesh& original, const Sources& so
     if (sources.vertices[v] != kNone) mesh.positions[v] = original.positions[sources.vertices[v]];
 }
 
+// Bodies that share edges are not sound; even so no edge may come out open.
+bool isOpened(const TriangleMesh& closed, const TriangleMesh& result) {
+  return inspectMesh(result).boundaryEdges > 0 && inspectMesh(closed).boundaryEdges == 0;
+}
+
 }  // namespace
 
 PartsRepair repairParts(std::vector<io::Part> parts, const RemeshOptions& options,
@@ -242,7 +247,7 @@ RoundedMesh inSoundPrecisionOf(const TriangleMesh& original, RemeshOutcome& outc
   const Rule& rule = choose(Decision::Written, [&](Fact fact) {
     if (fact == Fact::QuadsAsked) return rounded.mesh.isQuads;
     if (fact == Fact::ResultUnsound) return !isSound(rounded.mesh);
-    return fact == Fact::OriginalSound && isSound(original);
+    return fact == Fact::OriginalSound && (isSound(original) || isOpened(original, rounded.mesh));
   });
   if (rule.taken == Candidate::AsMade) return rounded;
   outcome.chosen = inReport(rule);

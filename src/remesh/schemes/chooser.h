@@ -84,7 +84,7 @@ enum class Fact {
   LimitsDent,          // triangles within the limits are far away, the others are not
   NumberFound,         // some number of vertices was tried for the angle
   ResultUnsound,       // open, not a 2-manifold, degenerate or self-intersecting
-  OriginalSound,       // none of these
+  OriginalSound,       // none of these, or closed where the result is open
   CrossingsMade,       // by a run that may mend them, of an input without any
   UncrossedReplaces,   // same number, hardly farther away, angles hardly worse, no crossing
   SimplifiedReplaces,  // same number, hardly farther away, no crossing

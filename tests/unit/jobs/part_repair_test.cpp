@@ -97,6 +97,18 @@ TEST_CASE("part repair: what rounding makes meet itself becomes the sound origin
   CHECK(broken.warnings.empty());
 }
 
+TEST_CASE("part repair: bodies that touch along an edge do not come out open") {
+  TriangleMesh other = soups::moved(soups::cube(0, 1), {1, 1, 0});
+  const TriangleMesh touching = soups::joined({soups::cube(0, 1), other});
+  RemeshOutcome closed = outcomeWith(touching);
+  CHECK(inSoundPrecisionOf(touching, closed).mesh.indices == touching.indices);
+  CHECK(closed.warnings.empty());
+  other.indices.resize(other.indices.size() - 3);
+  RemeshOutcome open = outcomeWith(soups::joined({soups::cube(0, 1), other}));
+  CHECK(inSoundPrecisionOf(touching, open).mesh.indices == touching.indices);
+  CHECK(open.warnings.front().code == "ONLY_REPAIRED");
+}
+
 TEST_CASE("part repair: bodies that come out inside out are turned, and cavities are not") {
   TriangleMesh wall = shapes::turnedOver(shapes::icosphere(2));
   for (Vec3& p : wall.positions) p *= 0.5;
