@@ -190,6 +190,8 @@ test('a jump of the error is noticed unless it is said', () => {
   assert.match(lawsOfNeighbours(around(101)).join(), /^0.900 % at 102 .* at 101$/);
   assert.match(lawsOfNeighbours(around(400)).join(), /^0.900 % at 102 .* at 101$/);
   assert.equal(lawsOfNeighbours(around(50)).length, 2);
+  // Where counts pass over the original's number, those on both sides of it are its neighbours.
+  assert.match(lawsOfNeighbours(around(100.5)).join(), /^0.900 % at 102 .* at 101$/);
   const said = runs(0, 0.9);
   said[1].report.warnings = [{ code: 'TOO_FEW_VERTICES' }];
   assert.deepEqual(lawsOfNeighbours(said), []);

@@ -31,8 +31,8 @@ export function lawsOfNeighbours(runs) {
       (/** @type {any} */ { code }) => reasons.includes(code))
       || tookOther(pair[0].report, pair[1].report);
     const own = pair[0].report.input?.vertices;
-    const isWhole = pair[0].asked === own || (low < exact && pair[0].asked < own);
-    const isTooFew = isWhole && pair[1].asked < pair[0].asked;
+    const isWhole = pair[0].asked >= own || (low < exact && pair[0].asked < own);
+    const isTooFew = isWhole && pair[1].asked < Math.min(pair[0].asked, own);
     if (high > most * low && high - low > floor && !isSaid && !isTooFew) {
       broken.push(`${high.toFixed(3)} % at ${pair[1].asked} vertices, ${low.toFixed(3)} % at ${
         pair[0].asked}`);
