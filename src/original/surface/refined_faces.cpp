@@ -5,9 +5,24 @@
 #include <map>
 #include <utility>
 
+#include "base/fires.h"
 #include "geometry/triangle.h"
 
 namespace remesher {
+
+namespace {
+
+// Pieces of needles, which may be 1e12 times as long as the sizes, besides those of even faces.
+constexpr double kMostPieces = 0x1p18, kMostPiecesPerFace = 0x1p10, kPiecesPerArea = 16;
+
+// Halved, a needle becomes three of half its length.
+double piecesOf(double length, double longest) {
+  double pieces = 1;
+  for (; length > longest && pieces < kInfinity; length /= 2) pieces *= 3;
+  return pieces;
+}
+
+}  // namespace
 
 class RefinedFaces::Builder {
  public:
@@ -17,6 +32,7 @@ class RefinedFaces::Builder {
   void run() {
     faces_.positions_ = surface_.positions();
     for (Index f = 0; f < surface_.mesh().faceCapacity(); ++f) addFace(Face(f));
+    boundPieces();
     // The list grows during the loop.
     for (Index i = 0; i < faces_.nodes_.size(); ++i) halve(i);
     collect();
@@ -41,6 +57,28 @@ class RefinedFaces::Builder {
   double length(const Node& node, int side) const {
     return distance(faces_.positions_[node.corners[side]],
                     faces_.positions_[node.corners[(side + 1) % 3]]);
+  }
+
+  // Longer edges stay where there would be too many pieces.
+  void boundPieces() {
+    while (hasTooMany()) {
+      fires("refined faces: sides are too long for the sizes");
+      longest_ *= 2;
+    }
+  }
+
+  bool hasTooMany() const {
+    double pieces = 0, sum = 0;
+    for (const Node& node : faces_.nodes_) {
+      double own = 0;
+      for (int k = 0; k < 3; ++k)
+        if (node.isFlat[k]) own = std::max(own, length(node, k));
+      pieces += piecesOf(own, longest_);
+      const auto& [a, b, c] = node.corners;
+      sum += area(faces_.positions_[a], faces_.positions_[b], faces_.positions_[c]);
+    }
+    const double most = kMostPieces + kMostPiecesPerFace * double(faces_.nodes_.size());
+    return longest_ > 0 && pieces > most + kPiecesPerArea * sum / (longest_ * longest_);
   }
 
   // Both faces of an edge that is too long halve it sooner or later, so the result has no
@@ -104,7 +142,7 @@ class RefinedFaces::Builder {
   }
 
   const OriginalSurface& surface_;
-  const double longest_;
+  double longest_;
   RefinedFaces& faces_;
   std::map<std::pair<Vertex, Vertex>, Vertex> known_;
 };

@@ -13,9 +13,10 @@ using namespace remesher;
 namespace {
 
 // A plate with a hole, its flat sides known and all their borders curves.
-OriginalSurface plate() {
+OriginalSurface plate(const Vec3& stretch = Vec3::Ones()) {
   BuiltMesh built = buildMesh(shapes::drilledPlate(6, 1));
-  FlatRegions flats = findFlatRegions(built.mesh, built.positions, 0.2);
+  for (Vec3& p : built.positions.values()) p = p.cwiseProduct(stretch);
+  FlatRegions flats = findFlatRegions(built.mesh, built.positions, 0.2 * stretch.minCoeff());
   CurveRules rules;
   rules.edges = bordersOf(flats, built.mesh);
   rules.size = 0.1;
@@ -41,6 +42,14 @@ TEST_CASE("refined faces: parts of flat faces are no longer than asked, and make
     const bool isInFlat = p.head<2>().norm() > 0.6 && q.head<2>().norm() > 0.6;
     if (isInFlat) CHECK(distance(p, q) <= 0.3 + 1e-12);
   }
+}
+
+TEST_CASE("refined faces: sides a million times as long as wide have a bounded number of parts") {
+  const OriginalSurface surface = plate({1e5, 1e-3, 1e-3});
+  const RefinedFaces faces(surface, 0.3);
+  CHECK(areaOf(faces.areas()) == doctest::Approx(surface.area()));
+  CHECK(faces.middles().size() > 1000);
+  CHECK(faces.middles().size() < 1'000'000);
 }
 
 TEST_CASE("refined faces: what is linear in space is so in between") {
