@@ -3,6 +3,7 @@
 add_executable(unit_tests
   tests/unit/arrangement/arrangement_test.cpp
   tests/unit/arrangement/dyadic_test.cpp
+  tests/unit/arrangement/parted_fans_test.cpp
   tests/unit/arrangement/points_test.cpp
   tests/unit/arrangement/sheet_triangulation_test.cpp
   tests/unit/arrangement/snapping_test.cpp

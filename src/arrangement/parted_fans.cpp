@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -123,12 +124,17 @@ std::vector<Fan> fansToPart(const ArrangementResult& result, const ArrangementIn
   return toPart;
 }
 
-// At a share of 0 the vertex itself.
-void place(ArrangementResult& result, const Fan& fan, double share, const PartRule& rule) {
+// At a share of 0 the fan is as it was.
+void place(ArrangementResult& result, const ArrangementResult& before, const Fan& fan, double share,
+           const PartRule& rule) {
   result.positions[fan.own] = rule.rounded(result.positions[fan.vertex] + share * fan.way);
   for (const Index c : fan.corners) {
     result.indices[c] = share > 0 ? fan.own : fan.vertex;
-    result.triangles[c / 3].isUntouched = false;
+    const Index t = c / 3;
+    const auto own = result.indices.begin() + std::ptrdiff_t{3} * t;
+    result.triangles[t].isUntouched =
+        before.triangles[t].isUntouched &&
+        std::equal(own, own + 3, before.indices.begin() + std::ptrdiff_t{3} * t);
   }
 }
 
@@ -146,19 +152,19 @@ void partFans(ArrangementResult& result, const ArrangementInput& input, const Pa
   std::vector<Fan> fans = fansToPart(result, input);
   if (fans.empty()) return;
   fires("arrangement: fans around a corner parted");
-  const std::vector<Index> indices = result.indices, crossings = result.selfIntersections;
+  const ArrangementResult before = result;
   result.positions.resize(result.positions.size() + fans.size());
   std::size_t left = fans.size();
   for (const double share : kShares) {
     if (left == 0) break;
     for (const Fan& fan : fans)
-      if (!fan.isParted) place(result, fan, share, rule);
+      if (!fan.isParted) place(result, before, fan, share, rule);
     result.selfIntersections = rule.crossings(result);
     left = 0;
     for (Fan& fan : fans) left += !(fan.isParted = share > 0 && isClear(result, fan));
   }
-  if (result.selfIntersections.size() <= crossings.size()) return;
-  result.indices = indices, result.selfIntersections = crossings;
+  if (left == fans.size() || result.selfIntersections.size() > before.selfIntersections.size())
+    result = before;
 }
 
 }  // namespace remesher
