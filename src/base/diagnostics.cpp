@@ -55,6 +55,7 @@ constexpr std::array kDiagnostics = {
     Diagnostic{"NON_MANIFOLD_EDGES_LEFT", Severity::Note},
     Diagnostic{"NON_MANIFOLD_EDGES_MADE", Severity::Fault},
     Diagnostic{"NON_MANIFOLD_EDGES_SPLIT", Severity::Note},
+    Diagnostic{"NON_MANIFOLD_VERTICES_LEFT", Severity::Note},
     Diagnostic{"NON_MANIFOLD_VERTICES_SPLIT", Severity::Note},
     Diagnostic{"NON_ORIENTABLE_CUT", Severity::Note},
     Diagnostic{"NOTHING_TO_REMESH", Severity::Note},

@@ -93,7 +93,7 @@ std::vector<Warning> damageIn(const Report& report, const std::vector<io::Part>&
   const BeforeAndAfter figures{report.input, *report.output};
   std::vector<Warning> warnings =
       joined(worseThanGiven(figures, result), lostToRounding(report, result));
-  if (report.repair) warnings = joined(std::move(warnings), edgesLeft(figures, result));
+  if (report.repair) warnings = joined(std::move(warnings), touchesLeft(figures, result));
   std::erase_if(warnings, [](const Warning& warning) { return warning.code == "ANGLES_WORSE"; });
   return warnings;
 }

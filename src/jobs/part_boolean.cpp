@@ -166,13 +166,13 @@ United arrangedOf(const OperandPair& pair, const Bodies& bodies, BooleanOperatio
   return std::move(*found);
 }
 
-// Bodies that touch along an edge share it, which not every reader takes.
+// Bodies that touch share edges or vertices, which not every reader takes.
 void sayTouching(BooleanRun& run) {
   const BeforeAndAfter reports{run.report.input, *run.report.output};
   std::vector<Warning>& warnings = run.report.warnings;
   for (Warning& warning : worseThanGiven(reports, {run.part}))
     if (warning.code == "NON_MANIFOLD_EDGES_MADE") warnings.push_back(std::move(warning));
-  for (Warning& warning : edgesLeft(reports, {run.part})) warnings.push_back(std::move(warning));
+  for (Warning& warning : touchesLeft(reports, {run.part})) warnings.push_back(std::move(warning));
 }
 
 BooleanRun runOf(OperandPair pair, BooleanOperation operation, const Progress& progress) {

@@ -124,6 +124,24 @@ MeshReport inspectMesh(const TriangleMesh& mesh, const Welding& welding) {
   return report;
 }
 
+std::vector<Index> touchingVertices(const Welding& welding) {
+  const std::vector<Index>& twins = welding.twins;
+  std::vector<char> isSeen(twins.size(), 0), hasFan(welding.first.size(), 0);
+  std::vector<Index> touching;
+  const auto walk = [&](Index from) {
+    const Index v = welding.corners[from];
+    if (std::exchange(hasFan[v], 1)) touching.push_back(v);
+    for (Index c = from; c != kNone && !isSeen[c]; c = twins[prevCorner(c)]) isSeen[c] = 1;
+  };
+  for (Index c = 0; c < twins.size(); ++c)
+    if (twins[c] == kNone) walk(c);  // where open fans begin
+  for (Index c = 0; c < twins.size(); ++c)
+    if (!isSeen[c]) walk(c);
+  std::sort(touching.begin(), touching.end());
+  touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
+  return touching;
+}
+
 double nonDelaunayPercentage(const TriangleMesh& mesh) {
   const Welding welding(mesh);
   const auto at = [&](Index corner) -> const Vec3& {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "base/report.h"
 #include "mesh/welding.h"
@@ -20,6 +21,10 @@ inline MeshReport inspectMesh(const TriangleMesh& mesh) { return inspectMesh(mes
 // The share of the edges between two triangles, in percent, whose opposite angles sum to more than
 // 180°: a Delaunay mesh has none.
 double nonDelaunayPercentage(const TriangleMesh& mesh);
+
+// The vertices in which the surface only touches itself: their triangles make several fans. The
+// first at each place, ascending; none where twins do not describe the surface.
+std::vector<Index> touchingVertices(const Welding& welding);
 
 // The number of connected pieces of the boundary: on a manifold, the number of holes.
 std::size_t countBoundaryLoops(const TriangleMesh& mesh);

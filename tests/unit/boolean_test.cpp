@@ -245,7 +245,7 @@ TEST_CASE("boolean: far from the origin a glTF moves its mesh, not its shape") {
   CHECK(std::abs(volumeOf(result.parts.front().mesh) - common) < 1e-5);
 }
 
-TEST_CASE("boolean: bodies that touch along an edge share it, which is said") {
+TEST_CASE("boolean: bodies that touch share an edge or a corner, which is said") {
   const TriangleMesh cube = soups::cube(0, 1);
   const auto codesOf = [&](const Vec3& by, const TriangleMesh& other) {
     std::vector<std::string> codes;
@@ -254,6 +254,7 @@ TEST_CASE("boolean: bodies that touch along an edge share it, which is said") {
     return codes;
   };
   CHECK(codesOf({1, 1, 0}, cube) == std::vector<std::string>{"NON_MANIFOLD_EDGES_MADE"});
+  CHECK(codesOf({1, 1, 1}, cube) == std::vector<std::string>{"NON_MANIFOLD_VERTICES_LEFT"});
   CHECK(codesOf({1, 0, 0}, cube).empty());
   CHECK(codesOf({0.5, 0.5, 0}, cube).empty());
   CHECK(codesOf({9, 0, 0}, shapes::cubesSharingAnEdge(1)) ==

@@ -12,6 +12,7 @@
 #include "geometry/mesh_triangle.h"
 #include "geometry/triangle.h"
 #include "jobs/parts/part_places.h"
+#include "measure/mesh_report.h"
 #include "mesh/welding.h"
 
 namespace remesher {
@@ -105,6 +106,25 @@ Warning withFirstEdge(Warning warning, const std::vector<io::Part>& parts,
   return warning;
 }
 
+// NON_MANIFOLD_VERTICES_LEFT, looked for only where the Euler characteristic counts more fans of
+// triangles than vertices.
+std::vector<Warning> pointsLeft(const MeshReport& report, const std::vector<io::Part>& parts) {
+  const long fans = report.eulerCharacteristic + long(report.triangles / 2);
+  if (report.boundaryEdges > 0 || fans <= long(report.vertices)) return {};
+  std::size_t count = 0;
+  std::optional<Vec3> first;
+  for (const io::Part& part : parts) {
+    const std::vector<Index> touching = touchingVertices(Welding(part.mesh));
+    count += touching.size();
+    if (!first && !touching.empty()) first = part.mesh.positions[touching.front()];
+  }
+  if (!first) return {};
+  return {{"NON_MANIFOLD_VERTICES_LEFT",
+           "Bodies touch in single points, which were left, the first near (" +
+               placeInWords(*first, parts) + ").",
+           count, first}};
+}
+
 bool isWorse(double after, double before, double good) {
   return after < std::min(before, good) - kWorthAWord;
 }
@@ -173,10 +193,11 @@ std::vector<Warning> worseThanGiven(const BeforeAndAfter& reports,
   return warnings;
 }
 
-std::vector<Warning> edgesLeft(const BeforeAndAfter& reports, const std::vector<io::Part>& result) {
+std::vector<Warning> touchesLeft(const BeforeAndAfter& reports,
+                                 const std::vector<io::Part>& result) {
   const auto& [before, after] = reports;
-  if (after.nonManifoldEdges == 0 || more(after.nonManifoldEdges, before.nonManifoldEdges) > 0)
-    return {};
+  if (after.nonManifoldEdges == 0) return pointsLeft(after, result);
+  if (more(after.nonManifoldEdges, before.nonManifoldEdges) > 0) return {};
   return {withFirstEdge({"NON_MANIFOLD_EDGES_LEFT",
                          "Bodies touch along edges of more than two triangles, which were left",
                          after.nonManifoldEdges},

@@ -28,8 +28,10 @@ std::vector<Warning> worseThanGiven(const BeforeAndAfter& reports,
                                     const std::vector<io::Part>& result);
 
 // NON_MANIFOLD_EDGES_LEFT, if a repaired surface has edges of more than two triangles, and the
-// given one had as many.
-std::vector<Warning> edgesLeft(const BeforeAndAfter& reports, const std::vector<io::Part>& result);
+// given one had as many. NON_MANIFOLD_VERTICES_LEFT, if it has none and is closed, but touches
+// itself in points.
+std::vector<Warning> touchesLeft(const BeforeAndAfter& reports,
+                                 const std::vector<io::Part>& result);
 
 // SHAPE_LOST_TO_ROUNDING, if the result is no larger than a few rounding steps, and either has
 // triangles without area that the original had not, or is farther away than the original is large.

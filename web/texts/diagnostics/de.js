@@ -124,6 +124,8 @@ export default {
   'warning.NON_MANIFOLD_EDGES_MADE': 'Teile, die aufeinander liegen, teilen sich Kanten des '
     + 'Ergebnisses.',
   'warning.NON_MANIFOLD_EDGES_SPLIT': 'Kanten mit mehr als zwei Dreiecken wurden zertrennt.',
+  'warning.NON_MANIFOLD_VERTICES_LEFT': 'Körper berühren sich in einzelnen Punkten, die so geblieben '
+    + 'sind.',
   'warning.NON_MANIFOLD_VERTICES_SPLIT': 'Punkte, in denen die Fläche sich selbst berührt, wurden '
     + 'getrennt.',
   'warning.NON_ORIENTABLE_CUT': 'Die Fläche hat nur eine Seite und wurde aufgeschnitten.',

@@ -125,6 +125,8 @@ export default {
   'warning.NON_MANIFOLD_EDGES_MADE': 'Des parties posées l’une sur l’autre partagent des arêtes du '
     + 'résultat.',
   'warning.NON_MANIFOLD_EDGES_SPLIT': 'Des arêtes de plus de deux triangles ont été séparées.',
+  'warning.NON_MANIFOLD_VERTICES_LEFT': 'Des corps se touchent en des points isolés, qui sont restés '
+    + 'tels quels.',
   'warning.NON_MANIFOLD_VERTICES_SPLIT': 'Des points où la surface se touche elle-même ont été '
     + 'séparés.',
   'warning.NON_ORIENTABLE_CUT': 'La surface n’a qu’un côté et a été ouverte.',

@@ -6,7 +6,9 @@
 
 #include <string>
 
+#include "measure/mesh_report.h"
 #include "support/shapes.h"
+#include "support/soups.h"
 
 using namespace remesher;
 
@@ -69,13 +71,29 @@ TEST_CASE("result check: edges of three triangles that were left are said, those
   const auto left = [&](std::size_t before, std::size_t after) {
     MeshReport given, result;
     given.nonManifoldEdges = before, result.nonManifoldEdges = after;
-    return edgesLeft({given, result}, {io::Part{"", fan, {}}});
+    return touchesLeft({given, result}, {io::Part{"", fan, {}}});
   };
   CHECK(left(3, 0).empty());
   CHECK(left(0, 1).empty());
   REQUIRE(left(3, 1).size() == 1);
   CHECK(left(3, 1).front().count == 1);
   CHECK(left(3, 1).front().at == Vec3(1, 0, 0));
+}
+
+TEST_CASE("result check: points in which bodies touch are said, once for each") {
+  const auto left = [](const TriangleMesh& mesh) {
+    const MeshReport report = inspectMesh(mesh);
+    return touchesLeft({report, report}, {io::Part{"", mesh, {}}});
+  };
+  CHECK(left(shapes::icosphere(2)).empty());
+  CHECK(left(shapes::torus(8, 6)).empty());
+  CHECK(left(soups::joined({soups::cube(0, 1), soups::cube(5, 6)})).empty());
+  const std::vector<Warning> found =
+      left(soups::joined({soups::cube(0, 1), soups::cube(1, 2), soups::cube(2, 3)}));
+  REQUIRE(found.size() == 1);
+  CHECK(found.front().code == "NON_MANIFOLD_VERTICES_LEFT");
+  CHECK(found.front().count == 2);
+  CHECK(found.front().at == Vec3(1, 1, 1));
 }
 
 TEST_CASE("result check: each says where") {
