@@ -13,7 +13,6 @@
 #include "repair/ladder.h"
 #include "repair/loose_pieces.h"
 #include "repair/seen_share.h"
-#include "repair/stitch.h"
 #include "repair/touching_faces.h"
 #include "repair/united.h"
 
@@ -38,40 +37,47 @@ std::optional<United> seenUnion(const TriangleMesh& bodies, std::span<const Inde
   return outside;
 }
 
+struct ClosedUnion {
+  United outside;
+  Defects defects;
+};
+
 // None if it is not closed.
-std::optional<United> closedUnion(const TriangleMesh& bodies, std::span<const Index> crossings) {
-  std::optional<United> outside = seenUnion(bodies, crossings);
-  if (outside && countUnbalancedEdges(outside->mesh) == 0) return outside;
+std::optional<ClosedUnion> closedUnion(const TriangleMesh& bodies,
+                                       std::span<const Index> crossings) {
+  if (std::optional<United> outside = seenUnion(bodies, crossings))
+    if (const Defects defects = defectsOf(*outside); defects.unbalanced == 0)
+      return ClosedUnion{std::move(*outside), defects};
   fires("exact repair: the union is not closed");
   return std::nullopt;
 }
 
-// The union with touching faces joined, if fewer of its triangles intersect others: first of those
-// as near to each other as single precision brings them, then as few decimals do.
-void joinTouching(const TriangleMesh& bodies, United& outside) {
+// The union with touching faces joined, if it has fewer defects: first of those as near to each
+// other as single precision brings them, then as few decimals do.
+void joinTouching(const TriangleMesh& bodies, ClosedUnion& closed) {
   for (const double steps : {4.0, 32.0}) {
-    if (outside.crossings.empty()) return;
+    if (closed.defects == Defects{}) return;
     const std::optional<JoinedFaces> joined = withFacesJoined(bodies, steps, SharedFaces::Dropped);
     if (!joined) continue;
-    std::optional<United> other = closedUnion(joined->mesh, selfIntersections(joined->mesh));
-    if (!other || other->crossings.size() >= outside.crossings.size()) continue;
+    std::optional<ClosedUnion> other = closedUnion(joined->mesh, selfIntersections(joined->mesh));
+    if (!other || other->defects >= closed.defects) continue;
     fires("exact repair: united with touching faces joined");
-    for (Index& parent : other->parents) parent = joined->parents[parent];
-    outside = std::move(*other);
+    for (Index& parent : other->outside.parents) parent = joined->parents[parent];
+    closed = std::move(*other);
   }
 }
 
 // The union of all of them; none if that is not sound.
 std::optional<United> soundUnion(const TriangleMesh& bodies, std::span<const Index> crossings,
                                  double mostLeft) {
-  std::optional<United> outside = closedUnion(bodies, crossings);
-  if (!outside) return std::nullopt;
-  joinTouching(bodies, *outside);
-  if (double(outside->crossings.size()) > mostLeft * double(crossings.size())) {
+  std::optional<ClosedUnion> closed = closedUnion(bodies, crossings);
+  if (!closed) return std::nullopt;
+  joinTouching(bodies, *closed);
+  if (double(closed->defects.crossings) > mostLeft * double(crossings.size())) {
     fires("exact repair: the union intersects itself");
     return std::nullopt;
   }
-  return outside;
+  return std::move(closed->outside);
 }
 
 // Per triangle the group of bodies whose boxes meet, from 0 on in the order of first triangles.

@@ -9,7 +9,6 @@
 #include "base/fires.h"
 #include "geometry/triangle_tree.h"
 #include "repair/exact_repair.h"
-#include "repair/stitch.h"
 #include "repair/touching_faces.h"
 
 namespace remesher {
@@ -61,18 +60,18 @@ JoinedFaces withCommonFaces(const TriangleMesh& both, std::span<const Index> num
   return joined;
 }
 
-// The result of operands whose faces were brought together, if fewer of its triangles intersect
-// others.
-void joinFaces(const TriangleMesh& both, const Operands& operands, United& result) {
+// The result of operands whose faces were brought together, if it has fewer defects.
+void joinFaces(const TriangleMesh& both, const Operands& operands, United& result, Defects fewest) {
   for (const double steps : {4.0, 32.0}) {
-    if (result.crossings.empty()) return;
+    if (fewest == Defects{}) return;
     const JoinedFaces joined = withCommonFaces(both, operands.numbers, steps);
     if (joined.mesh.indices == both.indices) continue;
     std::optional<United> other =
         arranged(joined.mesh, {numbersOf(joined.parents, operands.numbers), operands.isInside, {}});
-    if (!other || other->crossings.size() >= result.crossings.size() ||
-        countUnbalancedEdges(other->mesh) > 0)
-      continue;
+    if (!other) continue;
+    const Defects defects = defectsOf(*other);
+    if (defects >= fewest) continue;
+    fewest = defects;
     fires("boolean: touching faces joined");
     for (Index& parent : other->parents) parent = joined.parents[parent];
     other->cut = std::max(other->cut, result.cut);
@@ -104,8 +103,10 @@ std::optional<United> booleanOf(const TriangleMesh& both, std::size_t trianglesO
     operands.isEachSound = mesh.positions == both.positions;
   }
   std::optional<United> result = arranged(mesh, operands);
-  if (result && countUnbalancedEdges(result->mesh) > 0) return std::nullopt;
-  if (result) joinFaces(mesh, operands, *result);
+  if (!result) return std::nullopt;
+  const Defects defects = defectsOf(*result);
+  if (defects.unbalanced > 0) return std::nullopt;
+  joinFaces(mesh, operands, *result, defects);
   return result;
 }
 

@@ -40,16 +40,6 @@ std::vector<char> openVerticesOf(const TriangleMesh& mesh, const Welding& weldin
   return isOpen;
 }
 
-std::size_t countUnbalanced(const Welding& welding) {
-  std::size_t count = 0;
-  welding.forEachEdge([&](std::span<const Index> edge) {
-    long sum = 0;
-    for (const Index h : edge) sum += welding.corners[h] < welding.corners[nextCorner(h)] ? 1 : -1;
-    count += sum != 0;
-  });
-  return count;
-}
-
 class Stitcher {
  public:
   Stitcher(TriangleMesh& mesh, double tolerance)
@@ -184,8 +174,16 @@ std::vector<Index> keepAreas(TriangleMesh& mesh) {
 
 }  // namespace
 
-std::size_t countUnbalancedEdges(const TriangleMesh& mesh) {
-  return countUnbalanced(Welding(mesh));
+std::size_t countUnbalancedEdges(const Welding& welding) {
+  const auto& twins = welding.twins;
+  std::size_t count = std::size_t(std::count(twins.begin(), twins.end(), kNone));
+  if (!twins.empty()) return count;
+  welding.forEachEdge([&](std::span<const Index> edge) {
+    long sum = 0;
+    for (const Index h : edge) sum += welding.corners[h] < welding.corners[nextCorner(h)] ? 1 : -1;
+    count += sum != 0;
+  });
+  return count;
 }
 
 bool haveAreas(const TriangleMesh& mesh) {
@@ -196,7 +194,7 @@ bool haveAreas(const TriangleMesh& mesh) {
 
 void weldOpenVertices(TriangleMesh& mesh) {
   const Welding before(mesh);
-  std::size_t fewest = countUnbalanced(before);
+  std::size_t fewest = countUnbalancedEdges(before);
   const std::vector<char> isOpen = openVerticesOf(mesh, before);
   const double diagonal = diagonalOf(mesh);
   TriangleMesh best = mesh;
@@ -206,7 +204,7 @@ void weldOpenVertices(TriangleMesh& mesh) {
     joinNear(welded, share * diagonal, isOpen);
     const Welding after(welded);
     if (after.corners.size() < before.corners.size()) break;
-    const std::size_t open = countUnbalanced(after);
+    const std::size_t open = countUnbalancedEdges(after);
     if (open >= fewest) continue;
     fewest = open;
     best.positions = std::move(welded.positions);

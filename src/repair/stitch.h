@@ -6,12 +6,16 @@
 #include <cstddef>
 
 #include "base/triangle_mesh.h"
+#include "mesh/welding.h"
 
 namespace remesher {
 
 // The edges, by position, along which the triangles do not run equally often in both directions.
 // None: the mesh is closed, also where bodies touch along an edge.
-std::size_t countUnbalancedEdges(const TriangleMesh& mesh);
+std::size_t countUnbalancedEdges(const Welding& welding);
+inline std::size_t countUnbalancedEdges(const TriangleMesh& mesh) {
+  return countUnbalancedEdges(Welding(mesh));
+}
 
 // Welds open vertices within the smallest of a few distances that leaves the fewest open edges; at
 // most a ten-thousandth of the diagonal, and no triangle loses a corner.

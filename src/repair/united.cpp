@@ -9,9 +9,12 @@
 #include "arrangement/arrangement.h"
 #include "base/place.h"
 #include "geometry/triangle_meeting.h"
+#include "measure/mesh_report.h"
 #include "mesh/attribute_mix.h"
 #include "mesh/used_vertices.h"
+#include "mesh/welding.h"
 #include "repair/holes/turn_over.h"
+#include "repair/stitch.h"
 
 namespace remesher {
 
@@ -165,6 +168,15 @@ std::optional<United> arranged(const TriangleMesh& bodies, const Operands& opera
   for (const ArrangedTriangle& triangle : found.triangles)
     result.parents.push_back(welded.triangles[triangle.parent]);
   return result;
+}
+
+Defects defectsOf(const United& outside) {
+  const Welding welding(outside.mesh);
+  Defects defects{countUnbalancedEdges(welding), outside.crossings.size(),
+                  touchingVertices(welding).size()};
+  if (welding.twins.empty())
+    welding.forEachEdge([&](std::span<const Index> edge) { defects.touches += edge.size() > 2; });
+  return defects;
 }
 
 std::optional<United> united(const TriangleMesh& bodies, std::span<const Index> crossings,

@@ -4,6 +4,7 @@
 // they are, bit for bit.
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -38,6 +39,15 @@ std::vector<Index> numbersAmong(std::span<const Index> list, std::span<const Ind
 // The boundary of the inside. bodies: closed, facing outwards; triangles without an area are left
 // out. None if the triangles do not bound volumes, or if the work would be out of proportion.
 std::optional<United> arranged(const TriangleMesh& bodies, const Operands& operands);
+
+// What keeps a surface from being sound, the worst first.
+struct Defects {
+  std::size_t unbalanced = 0;  // edges, see countUnbalancedEdges
+  std::size_t crossings = 0;   // triangles that intersect others
+  std::size_t touches = 0;     // edges and vertices in which the surface touches itself
+  auto operator<=>(const Defects&) const = default;
+};
+Defects defectsOf(const United& outside);
 
 // The space that counts as inside: with positive winding numbers, or with any but 0.
 enum class Inside { Outwards, EitherWay };

@@ -169,6 +169,30 @@ TEST_CASE("body_union: bodies whose union is not sound do not spoil the others")
   CHECK(unsound == 2);
 }
 
+TEST_CASE("body_union: boxes side by side in turned axes become one body") {
+  soups::Random random(7);
+  for (int trial = 0; trial < 12; ++trial) {
+    CAPTURE(trial);
+    const double angle = 3 * random.number();
+    const Vec3 axis = random.point(), at = random.point();
+    TriangleMesh row;
+    for (int i = 0; i < 4; ++i) {
+      TriangleMesh box = soups::cube(0, 1);
+      for (Vec3& p : box.positions) {
+        p = Vec3(i, 0, 0) + p.cwiseProduct(Vec3(1, 1 + 0.5 * (i % 2), 1 + 0.5 * (trial % 2)));
+        p = at + Eigen::AngleAxisd(angle, axis.normalized()) * p;
+      }
+      row = soups::joined({row, box});
+    }
+    const RepairedMesh result = repairedByAuto(inSinglePrecision(row));
+    const MeshReport report = inspectMesh(result.mesh);
+    CHECK(report.boundaryEdges + report.nonManifoldEdges == 0);
+    CHECK(report.components == 1);
+    CHECK(report.eulerCharacteristic == 2);
+    CHECK(touchingVertices(Welding(result.mesh)).empty());
+  }
+}
+
 TEST_CASE("body_union: a body that goes is named with its size and place") {
   TriangleMesh within = shapes::icosphere(2);
   for (Vec3& p : within.positions) p *= 0.25;
