@@ -207,6 +207,43 @@ void makeBodies(ExactRepair& repair, const BodyRule& rule) {
   if (countUnbalancedEdges(repair.mesh) > 0) stitchOpenEdges(repair.mesh);
 }
 
+// The pieces of a surface that does not intersect itself.
+struct BodyPieces {
+  explicit BodyPieces(const TriangleMesh& mesh)
+      : built(buildBodies(mesh)),
+        pieces(piecesOf(built, std::vector<char>(mesh.triangleCount(), 0))) {}
+  BuiltMesh built;
+  Pieces pieces;
+};
+
+std::vector<char> marked(const std::vector<SurfacePiece>& pieces,
+                         bool (*isWanted)(const SurfacePiece&)) {
+  std::vector<char> marks;
+  for (const SurfacePiece& piece : pieces) marks.push_back(isWanted(piece));
+  return marks;
+}
+
+// Takes those pieces out of the mesh; returns a corner of each, and how large it is.
+std::vector<SizedPlace> leaveOut(TriangleMesh& mesh, const BodyPieces& all,
+                                 const std::vector<char>& isUnwanted) {
+  const auto& [ofFace, pieces] = all.pieces;
+  std::vector<SizedPlace> found;
+  std::vector<char> isListed(pieces.size(), 0);
+  std::vector<Index> marks(mesh.triangleCount(), 0);
+  for (Index f = 0; f < ofFace.size(); ++f) {
+    if (!isUnwanted[ofFace[f]]) continue;
+    marks[all.built.triangles[Face(f)]] = 1;
+    if (std::exchange(isListed[ofFace[f]], 1)) continue;
+    const Box& box = pieces[ofFace[f]].box;
+    found.push_back(
+        {all.built.positions[all.built.mesh.vertices(Face(f))[0]], (box.high - box.low).norm()});
+  }
+  if (found.empty()) return found;
+  mesh = selected(mesh, marks, 0).mesh;
+  keepUsedVertices(mesh);
+  return found;
+}
+
 }  // namespace
 
 TriangleMesh atOnePosition(const TriangleMesh& input) {
@@ -295,24 +332,19 @@ ExactRepair leftAlone(const TriangleMesh& input) {
 void fillCavities(ExactRepair& repair, Filled filled) {
   if (filled == Filled::Made && repair.isOfCavity.empty()) return;
   if (LoosePieces(repair.mesh.positions, repair.mesh.indices).all().size() < 2) return;
-  const BuiltMesh built = buildBodies(repair.mesh);
-  const std::vector<char> isCrossed(repair.mesh.triangleCount(), 0);
-  const auto [ofFace, pieces] = piecesOf(built, isCrossed);
-  std::vector<char> isFilled(pieces.size(), 0);
-  std::vector<Index> isWall(repair.mesh.triangleCount(), 0);
-  for (std::size_t p = 0; p < pieces.size(); ++p) isFilled[p] = isCavity(pieces[p]);
+  const BodyPieces all(repair.mesh);
+  const auto& [ofFace, pieces] = all.pieces;
+  std::vector<char> isFilled = marked(pieces, isCavity);
   for (Index f = 0; f < ofFace.size() && filled == Filled::Made; ++f)
-    if (repair.isOfCavity[built.triangles[Face(f)]]) isFilled[ofFace[f]] = 0;
-  std::vector<char> isListed(pieces.size(), 0);
-  for (Index f = 0; f < ofFace.size(); ++f) {
-    if (!isFilled[ofFace[f]]) continue;
-    isWall[built.triangles[Face(f)]] = 1;
-    if (!std::exchange(isListed[ofFace[f]], 1))
-      repair.filledAt.push_back(built.positions[built.mesh.vertices(Face(f))[0]]);
-  }
-  if (repair.filledAt.empty()) return;
-  repair.mesh = selected(repair.mesh, isWall, 0).mesh;
-  keepUsedVertices(repair.mesh);
+    if (repair.isOfCavity[all.built.triangles[Face(f)]]) isFilled[ofFace[f]] = 0;
+  const std::vector<SizedPlace> filledAt = leaveOut(repair.mesh, all, isFilled);
+  if (filledAt.empty()) return;
+  for (const SizedPlace& place : filledAt) repair.filledAt.push_back(place.at);
+  // What lay in them is inside of solids now.
+  const BodyPieces left(repair.mesh);
+  const std::vector<SizedPlace> hidden =
+      leaveOut(repair.mesh, left, marked(left.pieces.pieces, isShell));
+  repair.hiddenAt.insert(repair.hiddenAt.end(), hidden.begin(), hidden.end());
   repair.way = ExactRepair::Way::United;
   if (!repair.crossings.empty()) repair.crossings = selfIntersections(repair.mesh);
 }

@@ -66,7 +66,7 @@ TriangleMesh atOnePosition(const TriangleMesh& input);
 // Which cavities are filled: all, or only those that uniting bodies has made.
 enum class Filled { All, Made };
 
-// Removes the walls of cavities.
+// Removes the walls of cavities, and the bodies that lie in them.
 void fillCavities(ExactRepair& repair, Filled filled);
 
 }  // namespace remesher

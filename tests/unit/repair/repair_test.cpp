@@ -110,9 +110,18 @@ TEST_CASE("repair: a cavity that was given stays, one that uniting makes is fill
   const RepairedMesh filled = mended(room);
   CHECK(filled.report.reason == "united");
   CHECK(inspectMesh(filled.mesh).components == 1);
-  CHECK(std::any_of(filled.warnings.begin(), filled.warnings.end(), [](const PlacedWarning& one) {
-    return one.warning.code == "CAVITIES_FILLED" && one.at;
-  }));
+  const auto isSaid = [](const RepairedMesh& result, const char* code) {
+    return std::any_of(
+        result.warnings.begin(), result.warnings.end(),
+        [&](const PlacedWarning& one) { return one.warning.code == code && one.at; });
+  };
+  CHECK(isSaid(filled, "CAVITIES_FILLED"));
+  CHECK_FALSE(isSaid(filled, "HIDDEN_BODIES_REMOVED"));
+  TriangleMesh loose = shapes::icosphere(2);
+  for (Vec3& p : loose.positions) p *= 0.3;
+  const RepairedMesh around = mended(soups::joined({room, loose}));
+  CHECK(around.mesh.indices == filled.mesh.indices);
+  CHECK(isSaid(around, "HIDDEN_BODIES_REMOVED"));
   TriangleMesh wall = shapes::turnedOver(shapes::icosphere(3));
   for (Vec3& p : wall.positions) p *= 0.5;
   const TriangleMesh hollow = soups::joined(
