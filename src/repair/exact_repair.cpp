@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/fires.h"
 #include "base/place.h"
+#include "geometry/mesh_triangle.h"
 #include "geometry/triangle.h"
 #include "measure/self_intersections.h"
 #include "mesh/used_vertices.h"
@@ -68,6 +69,7 @@ ExactRepair withLoopsClosed(const TriangleMesh& input, const LoopRule& rule) {
   const double kept = areaOf(holes.mesh, holes.kept.size());
   result.lost = before > 0 ? std::max(0.0, 100 * (1 - kept / before)) : 0;
   result.turned = countTurned(input, holes);
+  result.lids = holes.mesh.triangleCount() - holes.kept.size();
   result.mesh = std::move(holes.mesh);
   return result;
 }
@@ -127,6 +129,26 @@ std::vector<Index> markedOf(const TriangleMesh& mesh, const std::vector<Index>& 
   return marks;
 }
 
+// Per triangle whether it bounds a cavity. The inner wall of an open double shell bounds none: it
+// was seen through its loop, and the lid is a good part of it.
+std::vector<char> wallsOfCavities(const ExactRepair& repair, const Diagnosis& diagnosis) {
+  const auto& [ofFace, pieces] = diagnosis.pieces;
+  const std::vector<Index>& triangles = diagnosis.built.triangles.values();
+  const std::size_t count = repair.mesh.triangleCount();
+  std::vector<double> lids(pieces.size(), 0);
+  for (Index f = 0; f < ofFace.size(); ++f) {
+    const auto [a, b, c] = cornersOf(repair.mesh, triangles[f]);
+    if (triangles[f] + repair.lids >= count) lids[ofFace[f]] += area(a, b, c);
+  }
+  std::vector<char> isWall(count, 0);
+  for (Index f = 0; f < ofFace.size(); ++f) {
+    const SurfacePiece& piece = pieces[ofFace[f]];
+    isWall[triangles[f]] =
+        isCavity(piece) && lids[ofFace[f]] <= ladder::kMostDiskOfBody * piece.area;
+  }
+  return isWall;
+}
+
 // The closed pieces as one outside; false if none of them has a sound one.
 bool unite(ExactRepair& repair, const Diagnosis& diagnosis) {
   std::vector<Index> open;
@@ -138,8 +160,8 @@ bool unite(ExactRepair& repair, const Diagnosis& diagnosis) {
       unionOf(bodies.mesh, numbersAmong(bodies.triangles, diagnosis.crossings));
   if (!outside) return false;
   repair.way = ExactRepair::Way::United;
-  std::vector<char> isUsed(repair.mesh.triangleCount(), 0), isWall(isUsed);
-  for (const Index t : trianglesOf(diagnosis, isCavity)) isWall[t] = 1;
+  std::vector<char> isUsed(repair.mesh.triangleCount(), 0);
+  const std::vector<char> isWall = wallsOfCavities(repair, diagnosis);
   for (const Index parent : outside->parents) {
     isUsed[bodies.triangles[parent]] = 1;
     repair.isOfCavity.push_back(isWall[bodies.triangles[parent]]);
@@ -202,6 +224,7 @@ void makeBodies(ExactRepair& repair, const BodyRule& rule) {
   repair.sheetsAt = repair.noBaseAt;
   repair.rimsAt.clear(), repair.openAt.clear();
   if (repair.madeAt.empty()) return;
+  repair.lids = 0;
   repair.mesh = std::move(bodies.mesh);
   keepUsedVertices(repair.mesh);
   if (countUnbalancedEdges(repair.mesh) > 0) stitchOpenEdges(repair.mesh);
@@ -292,7 +315,7 @@ std::optional<ExactRepair> exactlyRepaired(const TriangleMesh& input, const Exac
       return std::nullopt;
     }
     // A disk over a straight loop has no area, either.
-    if (!haveAreas(result.mesh)) stitchOpenEdges(result.mesh);
+    if (!haveAreas(result.mesh)) stitchOpenEdges(result.mesh), result.lids = 0;
     if (rule.bodies) makeBodies(result, *rule.bodies);
     diagnosis = diagnose(result.mesh);
   }
@@ -304,7 +327,11 @@ std::optional<ExactRepair> exactlyRepaired(const TriangleMesh& input, const Exac
   faceOutwards(result, diagnosis);
   const bool hasShells = !cornersOf(diagnosis, isShell).empty();
   result.crossings = diagnosis.crossings;
-  if ((!diagnosis.crossings.empty() || hasShells) && !unite(result, diagnosis)) return std::nullopt;
+  if (!diagnosis.crossings.empty() || hasShells) {
+    if (!unite(result, diagnosis)) return std::nullopt;
+  } else if (result.lids > 0) {
+    result.isOfCavity = wallsOfCavities(result, diagnosis);
+  }
   keepUsedVertices(result.mesh);
   if (!result.madeAt.empty()) result.way = ExactRepair::Way::Made;
   result.crossingsBefore = before;

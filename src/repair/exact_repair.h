@@ -37,8 +37,10 @@ struct ExactRepair {
   // What has no exact outside while the rest has: most of it is sheets, or its union would not be
   // sound. Not in `mesh`; without triangles if all is decided.
   TriangleMesh undecided;
-  // Per triangle of the result, if bodies were united: whether it bounded a cavity before.
+  // Per triangle of the result, if bodies were united or a wide loop of a cavity's wall was closed:
+  // whether it bounded a cavity before.
   std::vector<char> isOfCavity;
+  std::size_t lids = 0;  // the last triangles, which close loops, before bodies are united
 };
 
 struct ExactRule {

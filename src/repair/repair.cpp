@@ -331,8 +331,9 @@ TriangleMesh stitched(const TriangleMesh& input) {
 // surface. Off where it would leave all as it is, as sheets.
 Repair repairFor(const TriangleMesh& input) {
   const RemeshOptions alone;
-  const std::optional<ExactRepair> exact =
+  std::optional<ExactRepair> exact =
       exactlyRepaired(input, {loopRule(input, alone, ladder::kMostDisk), std::nullopt});
+  if (exact) fillCavities(*exact, Filled::Made);
   TriangleMesh rest = exact ? exact->undecided : input;
   if (!rest.indices.empty()) {
     const RemeshOptions own = exact ? forPart(rest, input, alone) : alone;

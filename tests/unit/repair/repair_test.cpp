@@ -131,6 +131,30 @@ TEST_CASE("repair: a cavity that was given stays, one that uniting makes is fill
   CHECK(inspectMesh(kept.mesh).components == 2);
 }
 
+TEST_CASE("repair: an open double shell loses its inner wall, whichever way that faces") {
+  const auto ballBelow = [](double height, double size) {
+    TriangleMesh ball = shapes::icosphere(4), open = ball;
+    open.indices.clear();
+    for (std::size_t i = 0; i < ball.indices.size(); i += 3) {
+      const Index* v = &ball.indices[i];
+      const auto isBelow = [&](Index k) { return ball.positions[v[k]].z() < height; };
+      if (isBelow(0) || isBelow(1) || isBelow(2)) open.indices.insert(open.indices.end(), v, v + 3);
+    }
+    for (Vec3& p : open.positions) p *= size;
+    return open;
+  };
+  const auto piecesLeft = [](const TriangleMesh& outer, const TriangleMesh& inner) {
+    const MeshReport report = inspectMesh(mended(soups::joined({outer, inner})).mesh);
+    CHECK(report.boundaryEdges == 0);
+    return report.components;
+  };
+  const TriangleMesh bowl = ballBelow(0.5, 1), inner = ballBelow(0.5, 0.9);
+  CHECK(piecesLeft(bowl, inner) == 1);
+  CHECK(piecesLeft(bowl, shapes::turnedOver(inner)) == 1);
+  // A cavity whose wall has a little hole stays one.
+  CHECK(piecesLeft(ballBelow(0.93, 1), shapes::turnedOver(ballBelow(0.93, 0.9))) == 2);
+}
+
 TEST_CASE("repair: how many vertices follow does not decide what is a sheet") {
   for (const TriangleMesh& mesh : {shapes::sliverFan(16), shapes::grid(9, 7)}) {
     RemeshOptions options;
