@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/fires.h"
 #include "base/place.h"
 #include "base/sort_pairs.h"
 #include "contact/body_soup.h"
@@ -15,6 +16,7 @@
 #include "geometry/triangle_tree.h"
 #include "mesh/attribute_mix.h"
 #include "mesh/coordinate_step.h"
+#include "repair/stitch.h"
 
 namespace remesher {
 
@@ -64,12 +66,16 @@ class Joining {
     }
     for (Joined& t : triangles) {
       t.parent = parentOf(t);
-      if (t.parent == kNone) return std::nullopt;
+      if (t.parent == kNone && !isNeedle(t)) return std::nullopt;
     }
+    // Three points of a face's side may make a needle that faces nowhere when they are rounded.
+    const bool hasNeedles =
+        std::erase_if(triangles, [](const Joined& t) { return t.parent == kNone; }) > 0;
     std::vector<Index> parents;
     for (const Joined& t : triangles) parents.push_back(t.parent);
     for (const Index i : orderByKeys(parents, bodies_.triangleCount()))
       if (!add(triangles[i])) return std::nullopt;
+    if (hasNeedles) stitch();
     return std::move(result_);
   }
 
@@ -83,6 +89,21 @@ class Joining {
 
   Triangle at(const Joined& t) const {
     return {places_[t.corners[0]], places_[t.corners[1]], places_[t.corners[2]]};
+  }
+
+  // Whether it has no more height than what is brought together.
+  bool isNeedle(const Joined& t) const {
+    const auto [p, q, r] = at(t);
+    const double longest = std::max({(q - p).norm(), (r - q).norm(), (p - r).norm()});
+    return 2 * area(p, q, r) <= gap_ * longest;
+  }
+
+  // Neighbours of needles that were left out get their middle corners.
+  void stitch() {
+    fires("touching faces: needles left out");
+    std::vector<Index> parents;
+    for (const Index t : stitchOpenEdges(result_.mesh)) parents.push_back(result_.parents[t]);
+    result_.parents = std::move(parents);
   }
 
   static bool isBefore(const Vec3& p, const Vec3& q) {

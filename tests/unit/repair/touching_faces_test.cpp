@@ -81,6 +81,27 @@ TEST_CASE("touching faces: joined faces have common corners, where any touch") {
   CHECK_FALSE(withFacesJoined(apart, 4, SharedFaces::Dropped));
 }
 
+TEST_CASE("touching faces: three points of a face's side, on a line when rounded, hinder nothing") {
+  const auto box = [](const Vec3& low, double height) {
+    TriangleMesh mesh = shapes::cube(2);
+    for (Vec3& p : mesh.positions) p = low + p.cwiseProduct(Vec3(0.5, 0.5, 0.5 * height));
+    return mesh;
+  };
+  for (const int k : {3, 23, 28}) {
+    TriangleMesh boxes =
+        soups::joined({box({0, 0, 0}, 1), box({1, 0, 0}, 1.25), box({0, 1, 0}, 1.5)});
+    const Eigen::AngleAxisd turn(0.1 + 0.05 * k, Vec3(1, 2, 3).normalized());
+    for (Vec3& p : boxes.positions)
+      p = (turn * p + Vec3(0.3, -0.7, 0.5)).cast<float>().cast<double>();
+    boxes.isSingle = true;
+    const auto joined = withFacesJoined(boxes, 4, SharedFaces::Dropped);
+    REQUIRE(joined);
+    CHECK(joined->parents.size() == joined->mesh.triangleCount());
+    CHECK(inspectMesh(joined->mesh).boundaryEdges == 0);
+    CHECK(shapes::volumeOf(joined->mesh) == doctest::Approx(3.75).epsilon(1e-5));
+  }
+}
+
 TEST_CASE("touching faces: linear attributes stay so, and others are left alone") {
   for (const double angle : {0.2, 0.3, 1.2, 1.8}) {
     CAPTURE(angle);
