@@ -10,9 +10,10 @@
 #include "io/formats.h"
 #include "io/model/bake.h"
 #include "io/model/near_origin.h"
-#include "jobs/bare_materials.h"
+#include "io/model/units.h"
 #include "jobs/operands.h"
 #include "jobs/part_boolean.h"
+#include "jobs/parts/bare_materials.h"
 #include "jobs/parts/part_joining.h"
 #include "jobs/parts/part_report.h"
 #include "jobs/run_guards.h"
@@ -28,17 +29,34 @@ io::Conventions conventionsOf(const std::string& outputName) {
   return holds(outputName, io::kHoldsImages) ? io::Conventions::Gltf : io::Conventions::Classic;
 }
 
-// The file's parts at their places, as the output's format understands their attributes.
-GivenOperand readOperand(const FileBundle& input, const std::string& outputName,
-                         std::vector<Warning>& warnings) {
+// Sets the model's unit to the operand's, if that is the first that has one; else brings the
+// operand to the model's.
+void settleUnit(const std::string& unit, GivenOperand& operand, io::Model& model) {
+  const double metres = io::metresIn(unit), whole = io::metresIn(io::unitOf(model));
+  if (metres == 0 || metres == whole) return;
+  if (whole == 0) {
+    model.unit = unit;
+    return;
+  }
+  for (io::Part& part : operand.parts) {
+    for (Vec3& p : part.mesh.positions) p *= metres / whole;
+    part.mesh.isSingle = false;
+  }
+}
+
+// The file's parts at their places, as the output's format understands their attributes, in the
+// unit of the model that they are to be part of.
+GivenOperand readOperand(const FileBundle& input, const std::string& outputName, io::Model& whole) {
   io::Model model = io::read(input.file, input.resources);
   io::makeBodies(model);
   if (model.parts.empty())
     throw Error(ErrorCode::NoTriangles, legible(input.file.name) + " has no triangles.");
   for (io::Part& part : model.parts)
     part.mesh = io::converted(std::move(part.mesh), model.conventions, conventionsOf(outputName));
-  warnings = joined(std::move(warnings), model.warnings);
-  return {legible(input.file.name), std::move(model.parts)};
+  whole.warnings = joined(std::move(whole.warnings), model.warnings);
+  GivenOperand operand{legible(input.file.name), std::move(model.parts)};
+  settleUnit(io::unitOf(model), operand, whole);
+  return operand;
 }
 
 // Where the result is shown. In single precision it is made near the origin if it is far away.
@@ -115,10 +133,11 @@ BooleanFilesResult booleanFiles(const FileBundle& a, const FileBundle& b,
   const Progress whole = progress.timedBy(clock);
   whole.phase("read", 0, kReadShare);
   io::Model model;
-  model.conventions = conventionsOf(outputName);
+  model.conventions = io::Conventions::Classic;  // of no unit, until an operand has one
   model.isExact = true;  // the result must not intersect itself for any reader
-  std::array<GivenOperand, 2> given = {readOperand(a, outputName, model.warnings),
-                                       readOperand(b, outputName, model.warnings)};
+  std::array<GivenOperand, 2> given = {readOperand(a, outputName, model),
+                                       readOperand(b, outputName, model)};
+  model.conventions = conventionsOf(outputName);
   OperandPair pair = pairOf(given, carriedBy(outputName));
   const Transform place = placeOf(pair, outputName);
   roundFor(outputName, pair);

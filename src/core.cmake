@@ -139,6 +139,7 @@ set(small
   src/io/model/polygon.cpp
   src/io/model/resources.cpp
   src/io/model/same_mesh.cpp
+  src/io/model/units.cpp
   src/io/named/abaqus.cpp
   src/io/named/gmsh_reader.cpp
   src/io/named/gmsh_writer.cpp
@@ -166,7 +167,6 @@ set(small
   src/io/text/xml_scanner.cpp
   src/jobs/bake_run.cpp
   src/jobs/baking.cpp
-  src/jobs/bare_materials.cpp
   src/jobs/body_parts.cpp
   src/jobs/checks/crossing_check.cpp
   src/jobs/checks/option_checks.cpp
@@ -184,6 +184,7 @@ set(small
   src/jobs/operands.cpp
   src/jobs/part_boolean.cpp
   src/jobs/part_run.cpp
+  src/jobs/parts/bare_materials.cpp
   src/jobs/parts/common_frame.cpp
   src/jobs/parts/part_borders.cpp
   src/jobs/parts/part_frames.cpp

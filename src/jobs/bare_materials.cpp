@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "jobs/bare_materials.h"
+#include "jobs/parts/bare_materials.h"
 
 #include <algorithm>
 #include <utility>

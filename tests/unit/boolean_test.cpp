@@ -73,7 +73,38 @@ FileBundle fileOf(const TriangleMesh& mesh, const std::string& name,
   return {io::write(model, name).files.front(), {}};
 }
 
+// A 3MF's model: a cube that begins at the origin.
+FileBundle threemfCube(const std::string& unit, double side) {
+  const TriangleMesh cube = soups::cube(0, side);
+  std::string text = "<?xml version=\"1.0\"?><model unit=\"" + unit +
+                     "\" xmlns=\"core\"><resources><object id=\"1\"><mesh><vertices>";
+  for (const Vec3& p : cube.positions)
+    text += "<vertex x=\"" + std::to_string(p.x()) + "\" y=\"" + std::to_string(p.y()) + "\" z=\"" +
+            std::to_string(p.z()) + "\"/>";
+  text += "</vertices><triangles>";
+  for (std::size_t i = 0; i < cube.indices.size(); i += 3)
+    text += "<triangle v1=\"" + std::to_string(cube.indices[i]) + "\" v2=\"" +
+            std::to_string(cube.indices[i + 1]) + "\" v3=\"" + std::to_string(cube.indices[i + 2]) +
+            "\"/>";
+  text += "</triangles></mesh></object></resources><build><item objectid=\"1\"/></build></model>";
+  return {{"3D/3dmodel.model", {text.begin(), text.end()}}, {}};
+}
+
 }  // namespace
+
+TEST_CASE("boolean: a file in another unit is brought to that of the first") {
+  const auto unite = [](const FileBundle& a, const FileBundle& b) {
+    File file = booleanFiles(a, b, BooleanOperation::Union, "a.3mf").files.front();
+    file.name = "3D/3dmodel.model";
+    const std::string text(file.bytes.begin(), file.bytes.end());
+    CHECK(text.find("unit=\"inch\"") != std::string::npos);
+    return volumeOf(io::read(file, {}).parts.front().mesh);
+  };
+  const FileBundle large = threemfCube("inch", 2), small = threemfCube("millimeter", 25.4);
+  CHECK(unite(large, large) == doctest::Approx(8));
+  CHECK(unite(large, small) == doctest::Approx(8));
+  CHECK(unite(threemfCube("inch", 1), threemfCube("millimeter", 50.8)) == doctest::Approx(8));
+}
 
 TEST_CASE("boolean: operands that are broken count as the bodies that they bound") {
   const TriangleMesh box = soups::cube(0, 1), other = soups::cube(0.5, 1.5);

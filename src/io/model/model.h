@@ -67,6 +67,7 @@ struct PaintedImage {
 struct Model {
   std::vector<Part> parts;
   Conventions conventions = Conventions::Gltf;
+  std::string unit = {};  // that its file states, as 3MF calls it
   std::vector<Warning> warnings;
   std::shared_ptr<const Source> source;  // null if the parts hold everything
   std::vector<std::string> lost;         // semantics lost when parts became one

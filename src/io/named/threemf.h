@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The model inside a 3MF package: its XML, which the caller takes out of the ZIP and puts in.
 // Source: 3MF Core Specification 1.3 and Production Extension 1.2. Objects are parts, items of the
-// build and components their instances; materials are groups with their names and colours.
+// build and components their instances; materials are groups with their names and colours. A file
+// is written in the unit that its model has, else in millimetres.
 #pragma once
 
 #include <string>
@@ -12,12 +13,6 @@
 #include "io/model/written_files.h"
 
 namespace remesher::io {
-
-// The unit of a 3MF that was read; others are written in metres where they come from glTF, whose
-// unit that is, else in millimetres.
-struct ThreemfSource : Source {
-  std::string unit;
-};
 
 // resources: other models of the package that components name by path. Throws Error: PARSE_ERROR,
 // INDEX_OUT_OF_RANGE, NO_TRIANGLES.

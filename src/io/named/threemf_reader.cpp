@@ -206,9 +206,7 @@ Model PackageReader::read(const File& file) {
   for (const PlacedObject& item : items_) place(item.object, item.place, 0);
   Model model;
   model.conventions = Conventions::Classic;
-  auto source = std::make_shared<ThreemfSource>();
-  source->unit = unit_;
-  model.source = std::move(source);
+  model.unit = unit_;
   for (const std::string& key : order_) {
     if (places_[key].empty()) continue;
     PackageObject& object = objects_[key];

@@ -6,6 +6,7 @@
 #include "io/model/conventions.h"
 #include "io/model/corner_weld.h"
 #include "io/model/dropped.h"
+#include "io/model/units.h"
 #include "io/named/threemf.h"
 #include "io/text/text_writer.h"
 
@@ -125,19 +126,14 @@ std::vector<std::uint8_t> ThreemfWriter::finish() {
   return out_.bytes();
 }
 
-std::string unitOf(const Model& model) {
-  const auto* const source = dynamic_cast<const ThreemfSource*>(model.source.get());
-  if (source != nullptr) return source->unit;
-  return model.conventions == Conventions::Gltf ? "meter" : "millimeter";
-}
-
 }  // namespace
 
 WrittenFiles writeThreemf(const Model& model, const std::string& outputName) {
   const std::vector<Part> bodies = bakeInstances(model);
   std::vector<const TriangleMesh*> meshes;
   for (const Part& body : bodies) meshes.push_back(&body.mesh);
-  ThreemfWriter writer(unitOf(model),
+  const std::string unit = unitOf(model);
+  ThreemfWriter writer(unit.empty() ? "millimeter" : unit,
                        digitsFor(meshes, model.isExact ? Digits::OfDoubles : Digits::Fewest));
   writer.writeMaterials(bodies);
   for (const Part& body : bodies) writer.writeObject(body);
