@@ -140,7 +140,7 @@ class Search {
     return 2 * straight <= all;
   }
 
-  // The shortest way from the foot to the tips; 0 if the tips are no spike.
+  // The shortest way from the foot to the tips; 0 if the tips are no spike, or a body of their own.
   double lengthOf(const std::vector<Vertex>& tips) const {
     const std::set<Vertex> found(tips.begin(), tips.end());
     const auto isTip = [&](Vertex v) { return found.contains(v); };
@@ -151,7 +151,8 @@ class Search {
         if (!isTip(a)) shortest = std::min(shortest, distance(v, a));
         if (!isTip(a) && !isTip(b)) around += distance(a, b);
       });
-    if (!turns(tips)) return 0;
+    const bool isWholePart = std::isinf(shortest);
+    if (isWholePart || !turns(tips)) return 0;
     const bool isOutline =
         std::any_of(tips.begin(), tips.end(), [&](Vertex v) { return mesh_.isBoundary(v); });
     const double least =

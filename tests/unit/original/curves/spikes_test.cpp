@@ -9,6 +9,7 @@
 #include "mesh/mesh_builder.h"
 #include "support/hostile_shapes.h"
 #include "support/parts.h"
+#include "support/soups.h"
 
 using namespace remesher;
 
@@ -36,6 +37,15 @@ TEST_CASE("spikes: sound shapes have none, pointed or not") {
   TriangleMesh spire = shapes::cone(32);
   for (Vec3& p : spire.positions) p.z() *= 10;
   CHECK(spikesOf(spire).empty());
+}
+
+TEST_CASE("spikes: a coarse body beside a fine one is none") {
+  TriangleMesh scene = shapes::icosphere(24);
+  const Index first = Index(scene.positions.size());
+  const TriangleMesh box = soups::cube(3, 4);
+  scene.positions.insert(scene.positions.end(), box.positions.begin(), box.positions.end());
+  for (const Index i : box.indices) scene.indices.push_back(first + i);
+  CHECK(spikesOf(scene).empty());
 }
 
 TEST_CASE("spikes: a fan in a plane is none, however fine the hole that it ends at") {
