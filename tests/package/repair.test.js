@@ -160,7 +160,7 @@ test('an inspection tells what is broken, and what would mend it', async () => {
 
 test('faults are said in words', async () => {
   const words = reportInWords(await inspect(open, { faults: true }));
-  assert.match(words, /faults: 1 open loop, around, of the diagonal: [\d.]+ %/);
+  assert.match(words, /faults: 1 open loop, in length [\d.]+ % of the diagonal/);
   assert.match(words, /what would repair it: holes.*; it takes about \d+ MB and [\d.]+ s/);
 });
 

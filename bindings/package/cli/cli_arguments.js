@@ -168,7 +168,7 @@ function setNames(line, names) {
     throw wrongUse('No input file is given.', 'Use: remesher <input> -o <output> [options]');
   }
   if (inputs.includes('-')) {
-    throw wrongUse('Standard input is not read.', 'Give a file; its name tells the format.');
+    throw wrongUse('Standard input is not read.', 'Give a file, or /dev/stdin.');
   }
   line.inputs = [...inputs];
   if (command) line.command = command;
@@ -205,7 +205,9 @@ function checkCard({ command, card, output }) {
   if (command !== 'remesh' && command !== 'repair') {
     throw wrongUse(`remesher ${command} has no --card: only remeshing and repair write one.`);
   }
-  if (isFolder(output)) throw wrongUse('--card takes a single input file.', 'With --json each has its card.');
+  if (isFolder(output)) {
+    throw wrongUse('--card takes a single input file.', 'With --json each has its card.');
+  }
   if (!/\.(md|markdown|txt)$/i.test(card)) {
     throw wrongUse(`The card ${legible(card)} is a text.`, 'Let it end in .md.');
   }

@@ -163,8 +163,8 @@ function faultsInWords(faults) {
   const { openLoops, selfIntersections, innerShells, insideOut, repair, needs, places } = faults;
   const most = 10;
   const lengths = openLoops.slice(0, most).map((length) => `${length.toPrecision(3)} %`).join(', ');
-  const loops = openLoops.length === 0 ? '' : `, around, of the diagonal: ${lengths}`
-    + `${openLoops.length > most ? ', …' : ''}`;
+  const loops = openLoops.length === 0 ? '' : `, in length ${lengths}`
+    + `${openLoops.length > most ? ', …' : ''} of the diagonal`;
   return [
     `faults: ${counted(openLoops.length, 'open loop')}${loops}${firstOf(places.openLoops)}`,
     `  triangles that intersect others ${selfIntersections}`

@@ -30,7 +30,9 @@ constexpr std::array kRules = {
          "vertices-placed",
          {is(Fact::VerticesPlaced)},
          Candidate::Isotropic,
-         "Simplification cannot put vertices where an option wants them."},
+         "Simplification does not keep all that the options ask for, such as a bound, limits of "
+         "edges, "
+         "density or repair."},
     Rule{Decision::Surface,
          "shape-conforming",
          {is(Fact::ShapeAsked), is(Fact::FacetsMeshed)},
@@ -94,12 +96,12 @@ constexpr std::array kRules = {
          "isotropic-near-unfinished",
          {is(Fact::UnfinishedNear)},
          Candidate::Isotropic,
-         "Isotropic triangles do not visibly change the shape."},
+         "Isotropic triangles are on average not visibly away from the original."},
     Rule{Decision::Surface,
          "isotropic-near",
          {no(Fact::IsotropicFar)},
          Candidate::Isotropic,
-         "Isotropic triangles do not visibly change the shape."},
+         "Isotropic triangles are on average not visibly away from the original."},
     Rule{
         Decision::Surface,
         "resampled",
@@ -208,8 +210,8 @@ constexpr std::array kRules = {
          "budget-simplified",
          {is(Fact::BudgetExceeded), is(Fact::SimplifiedWithin)},
          Candidate::Simplified,
-         "Isotropic triangles would exceed the budget; simplification keeps it, or exceeds it by "
-         "less."},
+         "Isotropic triangles would exceed the budget; simplification keeps it, or comes nearer to "
+         "it."},
     Rule{Decision::Budget, "as-made", {}, Candidate::AsMade, "The mesh stays."},
 
     Rule{Decision::Part,

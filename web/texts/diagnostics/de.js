@@ -4,8 +4,8 @@
 export default {
   'chosen.rounds': 'Das Verfahren `rounds` war verlangt.',
   'chosen.isotropic-asked': 'Gleichmäßige Dreiecke waren verlangt.',
-  'chosen.vertices-placed': 'Vereinfachen kann Punkte nicht dorthin setzen, wo eine Einstellung '
-    + 'sie verlangt.',
+  'chosen.vertices-placed': 'Vereinfachen hält nicht alles ein, was die Einstellungen '
+    + 'verlangen, etwa eine Schranke, Kantenlängen, Dichte oder Reparatur.',
   'chosen.shape-conforming': 'Die Form geht vor: Jede ebene Fläche wurde für sich vernetzt.',
   'chosen.shape-refined': 'Die Form geht vor, mit mehr Punkten als im Original: gleichmäßige '
     + 'Dreiecke, die nirgends sichtbar abweichen.',
@@ -27,8 +27,8 @@ export default {
     + 'Vereinfachen bleibt viel näher.',
   'chosen.flat-sides-refined': 'Einfache gleichmäßige Dreiecke würden ebene Seiten eindellen: '
     + 'diese weichen nirgends sichtbar ab.',
-  'chosen.isotropic-near-unfinished': 'Gleichmäßige Dreiecke ändern die Form nicht sichtbar.',
-  'chosen.isotropic-near': 'Gleichmäßige Dreiecke ändern die Form nicht sichtbar.',
+  'chosen.isotropic-near-unfinished': 'Gleichmäßige Dreiecke weichen im Mittel nicht sichtbar ab.',
+  'chosen.isotropic-near': 'Gleichmäßige Dreiecke weichen im Mittel nicht sichtbar ab.',
   'chosen.resampled': 'Mit mehr Punkten, als das Original hat, ersetzen gleichmäßige Dreiecke '
     + 'seine eigenen und weichen sichtbar von seinen Facetten ab. „prefer: shape“ oder die Zahl '
     + 'des Originals erhält seine Dreiecke.',
@@ -60,8 +60,8 @@ export default {
     + 'nicht.',
   'chosen.only-repaired': 'Auf die geschriebenen Stellen gerundet, wäre die neue Fläche nicht '
     + 'heil: geschrieben ist die reparierte.',
-  'chosen.budget-simplified': 'Gleichmäßige Dreiecke wären mehr als erlaubt; vereinfachte sind es '
-    + 'nicht, oder um weniger.',
+  'chosen.budget-simplified': 'Gleichmäßige Dreiecke wären mehr als erlaubt; vereinfachte halten '
+    + 'die Zahl ein oder kommen ihr näher.',
   'chosen.no-surface': 'Kein Dreieck hat eine Fläche: das Netz bleibt, wie es kam.',
   'chosen.kept': 'Nichts war zu reparieren: jeder Punkt und jedes Dreieck ist, wie es war.',
   'chosen.repaired': 'Die Reparatur hat die Fläche geändert.',
@@ -124,8 +124,8 @@ export default {
   'warning.NON_MANIFOLD_EDGES_MADE': 'Teile, die aufeinander liegen, teilen sich Kanten des '
     + 'Ergebnisses.',
   'warning.NON_MANIFOLD_EDGES_SPLIT': 'Kanten mit mehr als zwei Dreiecken wurden zertrennt.',
-  'warning.NON_MANIFOLD_VERTICES_LEFT': 'Körper berühren sich in einzelnen Punkten, die so geblieben '
-    + 'sind.',
+  'warning.NON_MANIFOLD_VERTICES_LEFT': 'Körper berühren sich in einzelnen Punkten, die so '
+    + 'geblieben sind.',
   'warning.NON_MANIFOLD_VERTICES_SPLIT': 'Punkte, in denen die Fläche sich selbst berührt, wurden '
     + 'getrennt.',
   'warning.NON_ORIENTABLE_CUT': 'Die Fläche hat nur eine Seite und wurde aufgeschnitten.',

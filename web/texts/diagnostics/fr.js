@@ -4,8 +4,8 @@
 export default {
   'chosen.rounds': 'La méthode `rounds` était demandée.',
   'chosen.isotropic-asked': 'Des triangles réguliers étaient demandés.',
-  'chosen.vertices-placed': 'La simplification ne peut pas placer les sommets là où un réglage '
-    + 'les demande.',
+  'chosen.vertices-placed': 'La simplification ne respecte pas tout ce que les réglages '
+    + 'demandent, comme une borne, des longueurs d’arêtes, une densité ou une réparation.',
   'chosen.shape-conforming': 'La forme est préférée : chaque facette a été maillée dans son plan.',
   'chosen.shape-refined': 'La forme est préférée, avec plus de sommets que l’original : des '
     + 'triangles réguliers qui ne s’en écartent visiblement nulle part.',
@@ -28,9 +28,9 @@ export default {
     + 'simplification reste bien plus proche.',
   'chosen.flat-sides-refined': 'De simples triangles réguliers bosselleraient les faces planes '
     + ': ceux-ci ne s’en écartent visiblement nulle part.',
-  'chosen.isotropic-near-unfinished': 'Les triangles réguliers ne changent pas visiblement la '
-    + 'forme.',
-  'chosen.isotropic-near': 'Les triangles réguliers ne changent pas visiblement la forme.',
+  'chosen.isotropic-near-unfinished': 'Les triangles réguliers ne s’écartent pas visiblement en '
+    + 'moyenne.',
+  'chosen.isotropic-near': 'Les triangles réguliers ne s’écartent pas visiblement en moyenne.',
   'chosen.resampled': 'Avec plus de sommets que l’original, des triangles réguliers remplacent '
     + 'les siens et s’écartent visiblement de ses facettes. « prefer: shape » ou le nombre de '
     + 'l’original conserve ses triangles.',
@@ -59,8 +59,8 @@ export default {
   'chosen.uncrossed-simplified': 'Les triangles réguliers se coupent ; les simplifiés, non.',
   'chosen.only-repaired': 'Arrondie aux chiffres écrits, la nouvelle surface ne serait pas '
     + 'saine : la surface réparée est écrite.',
-  'chosen.budget-simplified': 'Les triangles isotropes dépasseraient le budget ; les simplifiés, '
-    + 'non, ou de moins.',
+  'chosen.budget-simplified': 'Les triangles isotropes dépasseraient le budget ; les simplifiés '
+    + 'le respectent, ou s’en approchent plus.',
   'chosen.no-surface': 'Aucun triangle n’a d’aire : le maillage reste tel qu’il est venu.',
   'chosen.kept': 'Il n’y avait rien à réparer : chaque sommet et chaque triangle reste tel '
     + 'quel.',
@@ -125,8 +125,8 @@ export default {
   'warning.NON_MANIFOLD_EDGES_MADE': 'Des parties posées l’une sur l’autre partagent des arêtes du '
     + 'résultat.',
   'warning.NON_MANIFOLD_EDGES_SPLIT': 'Des arêtes de plus de deux triangles ont été séparées.',
-  'warning.NON_MANIFOLD_VERTICES_LEFT': 'Des corps se touchent en des points isolés, qui sont restés '
-    + 'tels quels.',
+  'warning.NON_MANIFOLD_VERTICES_LEFT': 'Des corps se touchent en des points isolés, qui sont '
+    + 'restés tels quels.',
   'warning.NON_MANIFOLD_VERTICES_SPLIT': 'Des points où la surface se touche elle-même ont été '
     + 'séparés.',
   'warning.NON_ORIENTABLE_CUT': 'La surface n’a qu’un côté et a été ouverte.',
