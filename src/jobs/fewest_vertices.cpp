@@ -42,7 +42,10 @@ class FewestSearch {
                const Progress& progress)
       : input_(input), welding_(welding), asked_(asked), options_(asked), progress_(progress) {}
 
-  RemeshOutcome run() { return hasNumber(asked_) ? raised() : fewest(); }
+  RemeshOutcome run() {
+    if (asked_.prefer == Prefer::Shape && !asked_.quads) return simplified();
+    return hasNumber(asked_) ? raised() : fewest();
+  }
 
  private:
   // A draft may keep a bound that the finished mesh of the same number does not keep. So the number
@@ -70,7 +73,7 @@ class FewestSearch {
       if (fact == Fact::IsotropicAsked) return asked_.prefer == Prefer::Even;
       if (fact == Fact::MoreThanInput) return double(outcome.vertices) > own;
       if (fact != Fact::OwnWithinBound) return false;
-      kept = simplest();
+      kept = simplest(0);
       return kept.has_value();
     });
     if (rule.taken == Candidate::AsMade) return outcome;
@@ -80,16 +83,37 @@ class FewestSearch {
     return std::move(*kept);
   }
 
-  // Of the vertices that the shape needs the fewest that keep the bound, to a tenth. None if not
-  // even all of the input's do.
-  std::optional<RemeshOutcome> simplest() {
+  // The vertices that the shape needs: the number asked for, or as few as keep the bound.
+  RemeshOutcome simplified() {
+    options_.maxError.reset();
+    double fails = 0;
+    if (hasNumber(asked_)) {
+      RemeshOutcome made = runNext();
+      if (isWithin(made.mesh, Maximum::Sampled) && isProven(made.mesh)) return made;
+      fails = double(made.vertices);
+    }
+    std::optional<RemeshOutcome> kept = simplest(fails);
+    if (!kept) {
+      fires("fewest: no number of simplified vertices keeps the bound");
+      options_.vertices = Index(ownVertices());
+      kept = runNext();
+    }
+    if (fails > 0) kept->stopped = Stopped::MaxError;
+    return std::move(*kept);
+  }
+
+  // Of the vertices that the shape needs the fewest that keep the bound, to a tenth: more than
+  // `fails`. None if not even all of the input's do.
+  std::optional<RemeshOutcome> simplest(double fails) {
     options_ = asked_;
     options_.maxError.reset();
+    options_.ratio.reset();
+    options_.edgeLength.reset();
     options_.tooFew = TooFew::Raise;
     options_.prefer = Prefer::Shape;
     const double own = ownVertices();
     std::optional<RemeshOutcome> kept;
-    double does = own + 1, fails = 0;
+    double does = own + 1;
     for (double next = own; next >= 1;) {
       RemeshOutcome made = runAt(next);
       const auto vertices = double(made.vertices);
@@ -205,7 +229,7 @@ bool hasNumber(const RemeshOptions& options) {
 
 bool asksForFewest(const RemeshOptions& options) {
   return options.maxError && options.scheme == Scheme::Best &&
-         (options.quads || !hasNumber(options));
+         (options.quads || options.prefer == Prefer::Shape || !hasNumber(options));
 }
 
 RemeshOutcome remeshToFewest(const TriangleMesh& input, Welding welding,

@@ -14,8 +14,9 @@ namespace remesher {
 // Whether the options give a number of vertices, in any way.
 bool hasNumber(const RemeshOptions& options);
 
-// Whether the options give a bound and no number (scheme best). For quads they may give a number,
-// which is raised as the bound needs: quads are not made within a bound, but measured.
+// Whether the options give a bound and no number (scheme best). For quads and for a shape that is
+// preferred they may give a number, which is raised as the bound needs: neither is made within a
+// bound, but measured.
 bool asksForFewest(const RemeshOptions& options);
 
 // Drafts find the number within a tenth; if no draft keeps the bound, it is the input's own number. Of

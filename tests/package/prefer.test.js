@@ -116,13 +116,29 @@ test('the report says it for each part where parts differ', async () => {
 });
 
 test('what decides where vertices lie excludes a shape that is preferred', async () => {
-  const others = { maxError: 1, scheme: 'rounds', boundary: 'keep', splitObtuse: true, quads: true,
+  const others = { scheme: 'rounds', boundary: 'keep', splitObtuse: true, quads: true,
     density: new Float32Array(ring.positions.length / 3).fill(1), featureEdges: [[0, 1]] };
   for (const [name, value] of Object.entries(others)) {
     await rejectsWith(remesh(ring, { vertices: 200, prefer: 'shape', [name]: value }),
       'INVALID_OPTION', new RegExp(name));
   }
-  await remesh(ring, { vertices: 200, prefer: 'shape', maxError: 'off', worker: false });
+});
+
+test('a shape that is preferred is simplified as far as a bound allows', async () => {
+  const run = async (options) => (await remesh(pleats(), { prefer: 'shape', maxError: 0.5,
+    worker: false, ...options })).report;
+  const fewest = await run({});
+  assert.ok(fewest.fidelity.hausdorff <= 0.5, `${fewest.fidelity.hausdorff} %`);
+  assert.deepEqual(fewest.prefer, 'shape');
+  const { output: { vertices }, input } = fewest;
+  assert.ok(vertices < 0.9 * input.vertices, `${vertices} of ${input.vertices}`);
+  assert.equal((await run({ vertices: Math.ceil(1.2 * vertices) })).output.vertices,
+    Math.ceil(1.2 * vertices));
+  const raised = await run({ vertices: vertices >> 1 });
+  assert.ok(raised.fidelity.hausdorff <= 0.5 && raised.output.vertices > vertices >> 1);
+  const without = await remesh(pleats(), { prefer: 'shape', vertices: Math.floor(vertices / 1.3),
+    worker: false });
+  assert.ok(without.report.fidelity.hausdorff > 0.5, 'about the fewest');
 });
 
 test('no number: a part gets the vertices of isotropic triangles, which is said', async () => {

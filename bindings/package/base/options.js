@@ -101,7 +101,7 @@ export const optionTable = [
     default: 'auto',
     excludes: { value: 'shape',
       others: { scheme: ['rounds'], boundary: ['keep'], quads: [true], splitObtuse: [true],
-        maxError: true, density: true, featureEdges: true },
+        density: true, featureEdges: true },
       why: 'both decide where vertices lie' },
     help: 'even: isotropic triangles; shape: simplification, which keeps the vertices that shape '
       + 'and appearance need most; auto: even, unless that would visibly change the model' },

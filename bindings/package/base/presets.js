@@ -26,7 +26,8 @@ export const presets = [
     + 'angles below 20 degrees',
   values: { adaptivity: 0.3, gradation: 1.3, featureAngle: 30, minAngle: 20, repair: 'auto' } },
   { name: 'quads', help: 'pure quads', values: { quads: true } },
-  { name: 'accurate', help: 'the least error for a number of vertices', values: { adaptivity: 1 } },
+  { name: 'accurate', help: 'isotropic triangles that follow curvature, for the least error',
+    values: { adaptivity: 1 } },
 ];
 
 /**
