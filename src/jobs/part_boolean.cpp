@@ -87,7 +87,9 @@ MeshReport inspected(const std::vector<io::Part>& scaled, double diagonal) {
   if (open.empty())
     message += ": it intersects itself in ways that cannot be cut exactly.";
   else
-    message += ": it has a sheet or a large opening near (" +
+    message += (open.size() == 1 ? ": it has a sheet or a large opening near ("
+                                 : ": it has " + std::to_string(open.size()) +
+                                       " sheets or large openings, the first near (") +
                placeInWords(scaled.inWorld(part, open.front()), {pair.parts[i]}) + ").";
   throw Error(ErrorCode::InvalidMesh, message,
               "Make a body of it first: repair it with --repair wrap, say.");

@@ -385,7 +385,11 @@ std::optional<RepairedMesh> exactBodies(const TriangleMesh& input) {
 
 std::vector<Vec3> openPieces(const TriangleMesh& input) {
   const TriangleMesh mesh = stitched(input);
-  return mesh.indices.empty() ? std::vector<Vec3>{} : cornersOf(diagnose(mesh), isSheet);
+  if (mesh.indices.empty()) return {};
+  const std::optional<ExactRepair> exact = exactlyRepaired(mesh);
+  if (exact && !exact->sheetsAt.empty()) return exact->sheetsAt;
+  const bool isPart = exact && !exact->undecided.indices.empty();
+  return cornersOf(diagnose(isPart ? exact->undecided : mesh), isSheet);
 }
 
 RepairedMesh repairSurface(const TriangleMesh& input, const RemeshOptions& options) {

@@ -33,7 +33,7 @@ RepairedMesh repairSurface(const TriangleMesh& input, const RemeshOptions& optio
 // alone; nothing stays open and no lattice is made. None where that is not possible.
 std::optional<RepairedMesh> exactBodies(const TriangleMesh& input);
 
-// A corner of each piece of the mesh that stays open when its cracks are closed.
+// A corner of each piece of the mesh that stays open when its cracks and holes are closed.
 std::vector<Vec3> openPieces(const TriangleMesh& input);
 
 // Finds the faults; open loops are in no particular order. Throws the Errors of buildMesh, and

@@ -147,6 +147,14 @@ TEST_CASE("boolean: one sentence says which operand is at fault, and where") {
   CHECK(open.code == ErrorCode::InvalidMesh);
   CHECK(says(open, "The second operand is no closed body"));
   CHECK(says(errorOf(sheet, box, BooleanOperation::Union), "The first operand"));
+  // Holes are closed, and not what is at fault.
+  TriangleMesh torn = shapes::icosphere(4);
+  torn.indices.resize(torn.indices.size() - 3);
+  const TriangleMesh beside = soups::joined({torn, soups::moved(sheet, {5, 0, 0})});
+  CHECK(says(errorOf(box, beside, BooleanOperation::Union), "a sheet or a large opening near (5"));
+  CHECK(says(errorOf(box, soups::joined({beside, soups::moved(sheet, {5, 0, 3})}),
+                     BooleanOperation::Union),
+             "2 sheets or large openings, the first near (5"));
   const TriangleMesh away = soups::moved(box, {3, 0, 0});
   CHECK(errorOf(box, away, BooleanOperation::Intersect).code == ErrorCode::NoTriangles);
   CHECK(errorOf(box, soups::cube(-1, 2), BooleanOperation::Subtract).code ==
