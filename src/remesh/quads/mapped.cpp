@@ -74,6 +74,7 @@ struct Extracted {
   Eigen::VectorXd integers = {};  // the map's integer variables
   double length = 0;              // and its scale
   double faults = 0;              // curves that are not followed, and unsound quads
+  double grown = 0;               // vertices of thin protrusions that the map lacks
   // By how much χ differs, and 1 if the kind of surface does, and 1 if the border is torn.
   std::size_t lost = 1;
   bool isRewired = false;
@@ -99,7 +100,9 @@ Extracted extracted(const Domain& domain, const SeamlessMap& map) {
   made.lost = std::size_t(std::abs(kind.eulerCharacteristic - wanted.eulerCharacteristic));
   made.lost += kind != wanted;
   made.lost += !sidesOffBorder(quads, part.surface()).empty();
+  const std::size_t before = quads.vertices.size();
   if (made.lost == 0) growThinProtrusions(quads, part);
+  made.grown = double(quads.vertices.size() - before);
   return made;
 }
 
@@ -139,6 +142,7 @@ std::optional<Extracted> searchScale(const Domain& domain, const MapMaker& maker
   std::vector<double> known;          // the marks of the maps that were extracted
   std::optional<SeamlessMap> passed;  // the nearest one, if it was not
   std::optional<double> last;         // the mark of the map before
+  double grown = 0;                   // vertices of thin protrusions that maps lack
   for (int i = 0; i < 3 * kSteps && std::max(shaped, failed) < most; ++i) {
     if (maker.isSpent() || (best && domain.work.isSpent())) {
       fires("quads: no more maps");
@@ -151,7 +155,7 @@ std::optional<Extracted> searchScale(const Domain& domain, const MapMaker& maker
     const double scale = isFirst ? length : nearest * aside;
     const auto map = i == kSteps ? std::exchange(passed, {}) : maker.map(scale, known);
     if (!map) continue;
-    const double count = maker.countVertices(*map) + double(domain.simpler.added);
+    const double count = maker.countVertices(*map) + double(domain.simpler.added) + grown;
     const double error = countError(count, vertices);
     if (error < least) {
       least = error;
@@ -162,9 +166,18 @@ std::optional<Extracted> searchScale(const Domain& domain, const MapMaker& maker
     if (isFirst && last == map->mark && count > vertices && vertices > kFew) i = kSteps - 1;
     last = map->mark;
     if (error >= (isFirst ? kCountTolerance : best ? costOf(*best, vertices) : kFarthest)) continue;
+    Extracted made = extracted(domain, *map);
+    // Other maps will lack about as many.
+    if (isFirst && grown == 0 && made.grown > kCountTolerance * vertices) {
+      grown = made.grown;
+      length = scale * std::sqrt((count + grown) / vertices);
+      least = kFarthest;
+      passed.reset();
+      i = -1;
+      continue;
+    }
     known.push_back(map->mark);
     passed.reset();
-    Extracted made = extracted(domain, *map);
     if (made.lost > 0 || countError(double(made.quads.vertices.size()), vertices) >= kFarthest) {
       failed += made.lost > kSteps ? most : 1;  // others lose as much, or nearly
       continue;
@@ -213,7 +226,9 @@ void shortenLoops(Extracted& made, const Domain& domain, const MapMaker& maker, 
   const std::size_t irregular = irregularCount(made.quads);
   double shortest = longestLoop(made.quads);
   if (made.faults > 0 || shortest <= kLongLoop) return;
-  const double length = std::sqrt(areaOf(domain.part) / vertices);
+  const double grown = std::min(made.grown, vertices / 2);
+  const double added = double(domain.simpler.added) + grown;
+  const double length = std::sqrt(areaOf(domain.part) / (vertices - grown));
   std::vector<double> known;
   std::optional<Extracted> best;
   for (int i = 0; i < kMoreMaps && !maker.isSpent(); ++i) {
@@ -221,7 +236,7 @@ void shortenLoops(Extracted& made, const Domain& domain, const MapMaker& maker, 
     const auto map = maker.map(length * (1 + kMoreStep * beside), known);
     if (!map) continue;
     known.push_back(map->mark);
-    const double count = maker.countVertices(*map) + double(domain.simpler.added);
+    const double count = maker.countVertices(*map) + added;
     if (std::abs(count / vertices - 1) > kCountTolerance) continue;
     Extracted one = extracted(domain, *map);
     const bool isSame = one.lost == 0 && one.faults == 0;
@@ -287,8 +302,8 @@ void closeLoops(Extracted& made, const Domain& domain, const MapMaker& maker, do
   SeamlessMap start;
   start.integers = made.integers;
   start.length = made.length;
-  const std::vector<Eigen::VectorXd> found =
-      maker.withShorterLoops(start, vertices - double(domain.simpler.added), kCountTolerance);
+  const double mapped = vertices - double(domain.simpler.added) - made.grown;
+  const std::vector<Eigen::VectorXd> found = maker.withShorterLoops(start, mapped, kCountTolerance);
   std::optional<OriginalDistance> distance;
   std::optional<Quality> before;
   std::size_t finished = 0;
@@ -349,7 +364,9 @@ QuadMesh quadsOf(const Domain& domain, double vertices, SizeMaker& sizesOn) {
   if (!found || !isGood(*found)) {
     maker.setSizes(scaledToMean(std::move(sizes), closed));
     std::optional<Extracted> even = searchScale(domain, maker, vertices, kSteps);
-    if (even && (!found || found->faults > 0 || isGood(*even))) found = std::move(even);
+    if (even && (!found || found->faults > 0 || isGood(*even) ||
+                 costOf(*even, vertices) < costOf(*found, vertices)))
+      found = std::move(even);
   }
   rewireLate(found, domain);
   if (found && !isTorn && !work.isSpent()) {

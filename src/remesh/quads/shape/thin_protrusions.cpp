@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "geometry/distance_sampler.h"
+#include "geometry/mesh_tree.h"
 #include "original/surface/surface_walk.h"
 #include "remesh/quads/mesh/quad_distance.h"
 #include "remesh/quads/mesh/quad_parts.h"
@@ -18,19 +19,82 @@ namespace remesher {
 
 namespace {
 
-// How far each vertex of the ground is from the quads, and the nearest quad.
+// Farther along the surface than this, in mean sides, no quad reaches from one of its corners.
+constexpr double kBeyondQuads = 2.5;
+
+// The shortest ways along edges of the ground from some of its vertices.
+class GroundWays {
+ public:
+  explicit GroundWays(const WorkingMesh& ground)
+      : ground_(ground), gone_(ground.mesh().vertexCapacity(), kInfinity) {}
+
+  void begin(Vertex v, double gone) {
+    if (!(gone < gone_[v])) return;
+    gone_[v] = gone;
+    queue_.emplace(gone, v.index);
+  }
+
+  // Goes on to farther vertices, up to the first one of which isEnd(vertex) is true; none if there
+  // is none.
+  template <class IsEnd>
+  Vertex go(IsEnd isEnd) {
+    while (!queue_.empty()) {
+      const auto [gone, index] = queue_.top();
+      const Vertex v(index);
+      queue_.pop();
+      if (gone > gone_[v]) continue;
+      if (isEnd(v)) return v;
+      const double here = gone;
+      ground_.mesh().forEachNeighbor(v, [&](Vertex w) {
+        begin(w, here + (ground_.position(w) - ground_.position(v)).norm());
+      });
+    }
+    return {};
+  }
+
+  VertexData<double>& gone() { return gone_; }
+
+ private:
+  using Entry = std::pair<double, Index>;
+  const WorkingMesh& ground_;
+  VertexData<double> gone_;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
+};
+
+// How far each vertex of the ground is from the corners of quads, along the ground.
+VertexData<double> alongGround(const QuadMesh& mesh, const WorkingMesh& ground,
+                               const MeshTree& tree) {
+  GroundWays ways(ground);
+  Face near;
+  for (const Placement& place : mesh.vertices) {
+    near = tree.nearest(place.position, near).face;
+    for (const Vertex v : ground.mesh().vertices(near)) {
+      const bool isSameSide =
+          place.kind != VertexKind::Interior || ground.normal(v).dot(place.normal) > 0;
+      if (isSameSide) ways.begin(v, (ground.position(v) - place.position).norm());
+    }
+  }
+  ways.go([](Vertex) { return false; });
+  return std::move(ways.gone());
+}
+
+// How far each vertex of the ground is from the quads, and the nearest quad. What no quad reaches
+// along the surface is as far from them as along it: a tail may lie beside quads of the body.
 struct FromQuads {
   VertexData<double> distance;
   VertexData<Index> quad;
 };
 
-FromQuads distancesFrom(const QuadMesh& mesh, const WorkingMesh& ground) {
+FromQuads distancesFrom(const QuadMesh& mesh, const WorkingMesh& ground, const MeshTree& ofGround) {
   const QuadTree tree(mesh);
   const auto count = Index(ground.mesh().vertexCapacity());
-  FromQuads result{VertexData<double>(count, 0), VertexData<Index>(count, kNone)};
+  FromQuads result{alongGround(mesh, ground, ofGround), VertexData<Index>(count, kNone)};
+  const double beyond = kBeyondQuads * meanSide(mesh);
   DistanceSampler sampler(*tree);
   for (Index i = 0; i < count; ++i) {
-    result.distance[Vertex(i)] = std::sqrt(sampler.add(ground.position(Vertex(i))));
+    const double inSpace = std::sqrt(sampler.add(ground.position(Vertex(i))));
+    double& distance = result.distance[Vertex(i)];
+    if (!(distance > beyond)) distance = inSpace;
     result.quad[Vertex(i)] = sampler.near() / 2;
   }
   return result;
@@ -45,28 +109,13 @@ struct Protrusion {
 };
 
 Protrusion protrusionAt(Vertex tip, const WorkingMesh& ground, const FromQuads& from, double near) {
-  Protrusion protrusion{VertexData<double>(ground.mesh().vertexCapacity(), kInfinity)};
-  using Entry = std::pair<double, Index>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  protrusion.gone[tip] = 0;
-  queue.emplace(0, tip.index);
-  while (!queue.empty()) {
-    const double gone = queue.top().first;
-    const Vertex v(queue.top().second);
-    queue.pop();
-    if (gone > protrusion.gone[v]) continue;
-    if (from.distance[v] < near) {
-      protrusion.length = gone;
-      protrusion.quad = from.quad[v];
-      break;
-    }
-    ground.mesh().forEachNeighbor(v, [&](Vertex w) {
-      const double there = gone + (ground.position(w) - ground.position(v)).norm();
-      if (!(there < protrusion.gone[w])) return;
-      protrusion.gone[w] = there;
-      queue.emplace(there, w.index);
-    });
-  }
+  GroundWays ways(ground);
+  ways.begin(tip, 0);
+  const Vertex end = ways.go([&](Vertex v) { return from.distance[v] < near; });
+  Protrusion protrusion{std::move(ways.gone())};
+  if (!end) return protrusion;
+  protrusion.length = protrusion.gone[end];
+  protrusion.quad = from.quad[end];
   return protrusion;
 }
 
@@ -162,9 +211,10 @@ void addRing(QuadMesh& mesh, Index quad, const Four<RingPoint>& points, const Wo
 
 void growThinProtrusions(QuadMesh& mesh, const WorkingMesh& ground) {
   const double side = meanSide(mesh);
+  const MeshTree tree(ground.mesh(), ground.positions());
   VertexData<char> isTried(ground.mesh().vertexCapacity(), 0);
   for (;;) {
-    const FromQuads from = distancesFrom(mesh, ground);
+    const FromQuads from = distancesFrom(mesh, ground, tree);
     Vertex tip;
     double farthest = side;
     for (Index i = 0; i < isTried.size(); ++i)

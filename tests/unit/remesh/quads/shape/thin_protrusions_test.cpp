@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "geometry/quad.h"
 #include "geometry/triangle_tree.h"
@@ -20,6 +21,21 @@ TriangleMesh ballWithTail(double length) {
   TriangleMesh ball = shapes::icosphere(24);
   for (Vec3& p : ball.positions)
     if (p.x() > 0.95) p.x() = 0.95 + length * (p.x() - 0.95) / 0.05;
+  return ball;
+}
+
+// A ball with a tail that leaves it along x and is bent around it, near the ball as far as its tip.
+TriangleMesh ballWithBentTail() {
+  constexpr double kBegin = 0.97, kLength = 3, kBend = 0.43, kRadius = 1.4;
+  TriangleMesh ball = shapes::icosphere(40);
+  for (Vec3& p : ball.positions) {
+    if (p.x() <= kBegin) continue;
+    const double gone = kLength * (p.x() - kBegin) / (1 - kBegin);
+    p.x() = kBegin + gone;
+    if (gone <= kBend) continue;
+    const double angle = (gone - kBend) / kRadius, radius = kRadius - p.y();
+    p = Vec3(radius * std::cos(angle), radius * std::sin(angle), p.z());
+  }
   return ball;
 }
 
@@ -75,4 +91,17 @@ TEST_CASE(
             0);
     }
   }
+}
+
+TEST_CASE("thin protrusions: a tail grows from its root, though quads of the body are near it") {
+  const OriginalSurface surface = shapes::surfaceOf(ballWithBentTail());
+  const WorkingMesh ground(surface);
+  QuadMesh mesh = cubeOn(ground);
+  const double side = meanSide(mesh);
+  REQUIRE(farthestFrom(mesh, ground) < side);
+  growThinProtrusions(mesh, ground);
+  CHECK(check(mesh) == "");
+  CHECK(kindOf(mesh) == SurfaceKind{2, 1, 0});
+  CHECK(mesh.quads.size() >= 6 + 4 * 2);
+  CHECK(farthestFrom(mesh, ground) < side / 2);
 }
