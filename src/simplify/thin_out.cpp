@@ -39,7 +39,7 @@ constexpr double kLeastForSlabs = 2.5;
 struct RingEdge {
   Index neighbor;
   int out = 0, in = 0;
-  Index group = kNone;
+  Index side = kNone;  // the group of a triangle at it, and whether that has a back
   bool isBorder = false;
   bool isOpen() const { return out + in == 1; }
 };
@@ -63,14 +63,14 @@ class ThinningOut {
     joinEqual(std::move(wanted.first));
     setScale();
     const std::vector<Kind> kinds = kinds_;
-    std::size_t repeated = 0;
+    std::size_t unused = 0;
+    bool isLess = false;
     do {
       kinds_ = kinds;
       gatherStars();
       measureVertices();
-      repeated = isCrowded_ ? dropRepeated() : 0;
-      if (wanted.repeated) *wanted.repeated += repeated;
-    } while (repeated > 0);
+      isLess = isCrowded_ && dropTwins(wanted.repeated ? *wanted.repeated : unused);
+    } while (isLess);
   }
 
   void run(std::size_t wanted) {
@@ -80,6 +80,7 @@ class ThinningOut {
       gatherStars();
       if (before - count_ < before / kLeastPart + 1) break;
     }
+    giveBack();
   }
 
  private:
@@ -115,11 +116,13 @@ class ThinningOut {
       if (a == b || b == c || c == a) continue;
       for (const Index v : {a, b, c}) ++begins_[v];
       if (!mesh_.groups.empty()) mesh_.groups[kept] = mesh_.groups[t];
+      if (!hasBack_.empty()) hasBack_[kept] = hasBack_[t];
       corners[3 * kept] = a, corners[3 * kept + 1] = b, corners[3 * kept + 2] = c;
       ++kept;
     }
     corners.resize(3 * kept);
     if (!mesh_.groups.empty()) mesh_.groups.resize(kept);
+    if (!hasBack_.empty()) hasBack_.resize(kept);
     count_ = 0;
     Index sum = 0;
     for (Index& begin : begins_) {
@@ -131,21 +134,42 @@ class ThinningOut {
     for (std::size_t i = corners.size(); i-- > 0;) triangles_[--begins_[corners[i]]] = Index(i / 3);
   }
 
-  // Of triangles with the same corners in the same order the first stays.
-  std::size_t dropRepeated() {
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < mesh_.indices.size(); i += 3) {
-      Index* const t = &mesh_.indices[i];
-      bool isRepeated = false;
-      forEachAt(t[0], [&](Index b, Index c, Index other) {
-        isRepeated |= other < i / 3 && b == t[1] && c == t[2];
+  // Of triangles with the same corners the first stays. Those in its order repeat it; the first in
+  // the other order, of the same group, is its back. Returns whether any went.
+  bool dropTwins(std::size_t& repeated) {
+    bool isLess = false;
+    hasBack_.resize(mesh_.triangleCount(), 0);
+    for (Index t = 0; t < hasBack_.size(); ++t) {
+      Index* const corners = &mesh_.indices[std::size_t{3} * t];
+      Index same = kNone, turned = kNone;
+      forEachAt(corners[0], [&](Index b, Index c, Index other) {
+        if (other >= t) return;
+        if (b == corners[1] && c == corners[2]) same = other;
+        if (c == corners[1] && b == corners[2] && groupOf(other) == groupOf(t)) turned = other;
       });
-      if (!isRepeated) continue;
-      std::fill(t, t + 3, kNone);
-      ++count;
+      if (same == kNone && turned == kNone) continue;
+      if (same != kNone || hasBack_[turned])
+        ++repeated;
+      else
+        hasBack_[turned] = 1;
+      std::fill(corners, corners + 3, kNone);
+      isLess = true;
     }
-    return count;
+    return isLess;
   }
+
+  // The backs again, of the triangles that are left.
+  void giveBack() {
+    for (std::size_t t = 0; t < hasBack_.size(); ++t) {
+      if (!hasBack_[t]) continue;
+      const Index* const corners = &mesh_.indices[3 * t];
+      const Index a = corners[0], b = corners[1], c = corners[2];
+      mesh_.indices.insert(mesh_.indices.end(), {a, c, b});
+      if (!mesh_.groups.empty()) mesh_.groups.push_back(mesh_.groups[t]);
+    }
+  }
+
+  Index groupOf(Index t) const { return mesh_.groups.empty() ? 0 : mesh_.groups[t]; }
 
   // Visits the triangles at a vertex as (b, c, number), counterclockwise after the vertex. What
   // came to it in this pass is not listed yet.
@@ -173,9 +197,9 @@ class ThinningOut {
   }
 
   void note(RingEdge& edge, Index t) const {
-    const Index group = mesh_.groups.empty() ? 0 : mesh_.groups[t];
-    edge.isBorder |= edge.group != kNone && edge.group != group;
-    edge.group = group;
+    const Index side = 2 * groupOf(t) + (hasBack_.empty() ? 0 : Index(hasBack_[t]));
+    edge.isBorder |= edge.side != kNone && edge.side != side;
+    edge.side = side;
   }
 
   // The neighbours of a vertex, and whether it may go at all.
@@ -364,7 +388,8 @@ class ThinningOut {
   const OpenBorders borders_;
   double scale_ = 1;  // a power of two: edges are about 1 long
   std::size_t count_ = 0;
-  bool isCrowded_ = false;  // some triangles have an edge of the same direction
+  bool isCrowded_ = false;     // some triangles have an edge of the same direction
+  std::vector<char> hasBack_;  // per triangle, or empty: whether another has its corners, turned
   std::vector<Kind> kinds_;
   std::vector<char> isTouched_;  // in this pass
   std::vector<Index> begins_, triangles_;

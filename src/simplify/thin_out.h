@@ -26,8 +26,9 @@ struct ThinOut {
 // and borders of groups are only shortened along themselves; vertices where they meet, at edges of
 // more than two triangles, and at places with several attributes stay. No triangle turns by 60° or
 // more at once, and the topology stays. Vertices equal in everything become one; triangles without
-// three different vertices go, and those that repeat others exactly. The mesh must be valid (see
-// requireValid).
+// three different vertices go, and those that repeat others exactly. Two that have the same corners
+// in opposite orders, a sheet given from both sides, are thinned out alike. The mesh must be valid
+// (see requireValid).
 TriangleMesh thinnedOut(TriangleMesh mesh, ThinOut wanted);
 
 // The work that a large mesh is divided into, for several machines: each slab is thinned out by

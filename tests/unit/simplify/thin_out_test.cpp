@@ -136,6 +136,31 @@ TEST_CASE("thin out: triangles that repeat others exactly are in nobody's way") 
   CHECK(thin.positions == thinnedOut(sheet, {400}).positions);
 }
 
+TEST_CASE("thin out: both sides of a sheet are thinned out alike, whatever repeats them") {
+  const TriangleMesh sheet = wavySheet(40);
+  TriangleMesh back = sheet;
+  for (std::size_t i = 0; i < back.indices.size(); i += 3)
+    std::swap(back.indices[i], back.indices[i + 1]);
+  TriangleMesh both = sheet;
+  append(both, back);
+  append(both, back);
+  std::size_t repeated = 0;
+  ThinOut wanted{400};
+  wanted.repeated = &repeated;
+  const TriangleMesh thin = thinnedOut(both, wanted), one = thinnedOut(sheet, {400});
+  CHECK(repeated == sheet.triangleCount());
+  CHECK(thin.positions == one.positions);
+  REQUIRE(thin.triangleCount() == 2 * one.triangleCount());
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 0; i < thin.indices.size(); i += 3) {
+    const Vec3 *const a = &thin.positions[thin.indices[i]],
+                      *const b = &thin.positions[thin.indices[i + 1]],
+                      *const c = &thin.positions[thin.indices[i + 2]];
+    sum += (*b - *a).cross(*c - *a);
+  }
+  CHECK(sum.norm() == doctest::Approx(0).epsilon(1e-9));
+}
+
 TEST_CASE("thin out: slabs thinned out each by itself are those of the whole") {
   const TriangleMesh sheet = wavySheet(120);
   ThinOut wanted{1500};
