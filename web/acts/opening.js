@@ -44,6 +44,14 @@ export function retellFacts(page) {
   showSize(page, () => showReport(page));
 }
 
+/** Goes on without a picture of a model that has no room to be converted, though it has to be
+ * remeshed. @param {Page} page @param {unknown} error */
+function showNoOriginal({ stage }, error) {
+  if (!(error instanceof RemeshError) || error.code !== 'OUT_OF_MEMORY') throw error;
+  stage.clear('original');
+  showNews(t('picture.room'));
+}
+
 /** Shows the file itself if the viewer can read it, because a conversion may lose something.
  * @param {Page} page */
 async function showOriginal(page) {
@@ -57,7 +65,7 @@ async function showOriginal(page) {
     await show('direct');
   } catch (error) {
     if (isAbort(error)) throw error;
-    await show('converted');
+    await show('converted').catch((cause) => showNoOriginal(page, cause));
   }
   await surveying.measureExtent();
   showSize(page, () => showReport(page));

@@ -55,7 +55,8 @@ export class Surveying {
     canvas.addEventListener('pointerleave', () => this.#showProbe(null, null));
   }
 
-  /** The sides of the original's bounding box. @type {Vector3 | null} */
+  /** The sides of the original's bounding box; null if there is no room for a picture of it.
+   * @type {Vector3 | null} */
   extent = null;
 
   /** The corners of an original of flat sides; 0 of another, or if they are not known. */
@@ -64,7 +65,7 @@ export class Surveying {
   }
 
   get diagonal() {
-    return this.extent?.length() || 1;
+    return this.extent?.length() || this.#page.session.inspection?.diagonal || 1;
   }
 
   /** How lengths of the model are said. */
@@ -83,9 +84,8 @@ export class Surveying {
   /** Measures the original, also where it is not shown. */
   async measureExtent() {
     const { session, stage: { viewer } } = this.#page;
-    const bounds = viewer?.view('original')?.bounds;
-    if (bounds) {
-      this.extent = bounds.getSize(new Vector3());
+    if (viewer) {
+      this.extent = viewer.view('original')?.bounds.getSize(new Vector3()) ?? null;
       return;
     }
     const { bytes } = await session.converted('off');

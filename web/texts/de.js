@@ -250,6 +250,7 @@ export default {
   'progress.left': 'noch {seconds} s',
   'phase.inspect': 'Das Original wird untersucht',
   'preparing.picture': 'Das Bild wird vorbereitet',
+  'picture.room': 'Für ein Bild ist das Modell zu groß. Neu vernetzen lässt es sich trotzdem.',
   'phase.read': 'Lesen',
   'phase.build': 'Dreiecke werden verbunden',
   'phase.curves': 'Knicke werden gesucht',

@@ -246,6 +246,7 @@ export default {
   'progress.left': '{seconds} s left',
   'phase.inspect': 'Looking at the input',
   'preparing.picture': 'Preparing the picture',
+  'picture.room': 'The model is too large to be shown. It can be remeshed all the same.',
   'phase.read': 'Reading',
   'phase.build': 'Connecting the triangles',
   'phase.curves': 'Finding creases',

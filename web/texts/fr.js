@@ -252,6 +252,7 @@ export default {
   'phase.inspect': 'Examen de l’original',
   'phase.repair': 'Réparation',
   'preparing.picture': 'Préparation de l’image',
+  'picture.room': 'Le modèle est trop grand pour être montré. Il peut quand même être remaillé.',
   'phase.read': 'Lecture',
   'phase.build': 'Liaison des triangles',
   'phase.curves': 'Recherche des plis',

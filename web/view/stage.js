@@ -259,6 +259,7 @@ export class Stage {
   /** @param {Side} side */
   clear(side) {
     ++this.#turns[side];
+    if (side === 'original') this.origin = new Vector3();
     this.viewer?.show(side, null);
     this.#root.classList.toggle(`has-${side}`, false);
     this.#tellThinned();

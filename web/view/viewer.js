@@ -196,7 +196,8 @@ export class Viewer {
     return copy;
   }
 
-  /** Shows a model on its side, null: nothing. The eye moves only for a new original.
+  /** Shows a model on its side, null: nothing. The eye moves only for a new original, or
+   * for what is shown without one.
    * @param {Side} side @param {import('./model_view.js').Prepared | null} prepared
    * @param {import('./thinning.js').Thinning | null} [thinning] null: all triangles are drawn */
   show(side, prepared, thinning = null) {
@@ -213,7 +214,7 @@ export class Viewer {
       view.setWireframe(this.#wireframe);
       this.#scene.add(view.group);
     }
-    if (view && side === 'original') {
+    if (view && (side === 'original' || !this.#views.original)) {
       this.#shape();
       this.eye.setSubject(view.bounds, view.front);
     }

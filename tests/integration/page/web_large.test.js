@@ -101,3 +101,19 @@ test('a large model says that faults are not looked for, and from which size', a
   assert.equal(await page.isVisible('#landmarks'), false, 'a torus has none');
   assert.deepEqual(complaints, []);
 });
+
+test('what has no room for its picture is opened without it, the last one is gone', async () => {
+  const { page: small } = await openPage(site, { ...sight, isKept: false,
+    wasm: withMemory(readFileSync(join(root, 'dist/remesher.wasm')), 195) });
+  await settled(small);
+  const path = join(scratch, 'long.stl');
+  writeFileSync(path, stl(torus({ columns: 1300, rows: 600 })));
+  await small.setInputFiles('#file-input', path);
+  await small.waitForSelector('#news:text("too large to be shown")');
+  await settled(small);
+  assert.equal(await small.textContent('#model-name'), 'long.stl');
+  assert.equal(await small.isVisible('#error'), false);
+  assert.equal(await small.locator('.stage.has-original').count(), 0);
+  assert.match(await small.textContent('#fault-note'), /not looked for/);
+  await small.close();
+});
