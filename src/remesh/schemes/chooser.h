@@ -62,7 +62,7 @@ enum class Fact {
   SimplifiedOrDivided,  // the same, or the original's triangles can be divided to it
   NumberReached,        // by the isotropic triangles
   FacetsMeshed,         // facet by facet, with the number asked for
-  FacetsBetter,         // the same, and isotropic triangles are seen to be away
+  FacetsBetter,         // the same, and isotropic triangles are nearly seen to be away
   FacetsUnrolled,       // several together, because they are narrow
   IsotropicInstead,     // the same, but poorly shaped, and isotropic triangles are hardly off
   UnfinishedFar,        // the unfinished isotropic triangles are hopelessly farther away

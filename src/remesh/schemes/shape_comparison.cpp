@@ -26,6 +26,8 @@ namespace {
 constexpr double kMuchNearer = 2, kMuchNearerPlain = 4;
 // Finishing never halves a distance.
 constexpr double kFinishing = 2;
+// From this share of kSeen on isotropic triangles are nearly seen to be away.
+constexpr double kNearlySeen = 0.6;
 constexpr Samples kGlimpse = {1000, 1};
 // Up to so many times its own vertices a part may keep its own triangles, divided; with more,
 // isotropic triangles are worth more than the last dents.
@@ -324,7 +326,12 @@ bool ShapeComparison::areFacetsFine() {
 }
 
 bool ShapeComparison::mayConform(const WorkingMesh& isotropic) {
-  return isPart() && (isSeen(isotropic) || isAllFacets());
+  return isPart() && (isSeen(isotropic) || isAllFacets() || isNearlySeen(isotropic));
+}
+
+// Well-shaped triangles on the exact shape are worth more than the last degrees from here on.
+bool ShapeComparison::isNearlySeen(const WorkingMesh& isotropic) {
+  return hasForShape() && awayOf(isotropic).farthest > kNearlySeen * unseen_;
 }
 
 bool ShapeComparison::isConformingBetter(const WorkingMesh& isotropic) {

@@ -72,6 +72,7 @@ class ShapeComparison {
   bool isAllFacets() const;  // but for small round places
   // Whether a mesh of facets is worth making.
   bool mayConform(const WorkingMesh& isotropic);
+  bool isNearlySeen(const WorkingMesh& isotropic);
   bool keepsPart(const WorkingMesh& isotropic);
   bool isSeen(const Away& away);
   const Away& awayOf(const WorkingMesh& isotropic);
