@@ -39,17 +39,22 @@ constexpr double kGoodFacets = 40, kGoodIsotropic = 45, kGoodLeast = 12;
 // Well-shaped triangles can be asked for from so many vertices for each of the original's on.
 constexpr double kEnoughVertices = 3;
 // The largest distance of isotropic triangles, in units of kSeen, where those of the facets would
-// be poorly shaped, and where they would be needles; the largest change of the volume, and the
-// least share of the sharp edges that is found again within kNearEdge.
+// be poorly shaped, and where they would be needles.
 constexpr double kInsteadOfPoor = 2, kInsteadOfNeedles = 4;
+// Triangles whose smallest angles are narrower on average, or in the worst one, are needles.
 constexpr double kNeedlesMean = 30, kNeedlesLeast = 5;
-// Edges of unrolled facets may be farther away by this factor, because vertices move to the other
-// side. By how much wider, in degrees on average, angles must be that are not well shaped either.
+// The largest change of the volume; the least share of the sharp edges that is found again within
+// kNearEdge.
+constexpr double kLargestVolumeChange = 1e-3, kLeastEdges = 0.98, kNearEdge = 3;
+// The distances that facets are unrolled by, as long as their angles are poor.
 constexpr std::array<double, 4> kUnrolled = {0.8, 1.2, kInsteadOfPoor, kInsteadOfNeedles};
 // Where the facets' own angles are hardly less than good, much less may do.
 constexpr double kHardlyUnrolled = 0.2;
-constexpr double kChord = 1.25, kMuchWider = 10;
-constexpr double kMostOfVolume = 1e-3, kMostOfEdges = 0.98, kNearEdge = 3;
+// Edges of unrolled facets may be farther away by this factor, because vertices move to the other
+// side.
+constexpr double kChord = 1.25;
+// By how much wider, in degrees on average, angles must be that are not well shaped either.
+constexpr double kMuchWider = 10;
 // By how much less, in degrees on average, the angles of a mesh of facets may be: its shape is
 // exact. From kFineFacets on they are wide enough whatever others are, and from kFineUnrolled on
 // those of facets that are hardly unrolled.
@@ -143,7 +148,7 @@ double spreadOf(const BuiltMesh& built) {
 }
 
 bool keepsVolume(const Surface& original, const Surface& made) {
-  return std::abs(changeOfVolume(original, made)) <= kMostOfVolume;
+  return std::abs(changeOfVolume(original, made)) <= kLargestVolumeChange;
 }
 
 // The better of both ways.
@@ -359,7 +364,7 @@ bool ShapeComparison::keepsPart(const WorkingMesh& isotropic) {
   const Surface original{built.mesh, built.positions};
   const Surface made{isotropic.mesh(), isotropic.positions()};
   return keepsVolume(original, made) &&
-         shareOfSharpEdges(original, made, kNearEdge * unseen_) >= kMostOfEdges;
+         shareOfSharpEdges(original, made, kNearEdge * unseen_) >= kLeastEdges;
 }
 
 bool ShapeComparison::endsEarly(const WorkingMesh& unfinished) {
