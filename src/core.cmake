@@ -349,6 +349,7 @@ set(small
   src/remesh/transfer/attribute_transfer.cpp
   src/remesh/transfer/chart_keeper.cpp
   src/remesh/transfer/input_attributes.cpp
+  src/remesh/transfer/moved_corners.cpp
   src/remesher.cpp
   src/repair/body_mesh.cpp
   src/repair/body_union.cpp

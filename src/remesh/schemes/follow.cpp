@@ -15,6 +15,8 @@
 #include "geometry/triangle.h"
 #include "mesh/joints.h"
 #include "remesh/schemes/attribute_lengths.h"
+#include "remesh/transfer/attribute_transfer.h"
+#include "remesh/transfer/moved_corners.h"
 #include "simplify/simplify.h"
 
 namespace remesher {
@@ -37,15 +39,18 @@ bool sameAttributes(const TriangleMesh& input, Index a, Index b) {
 // for.
 class Extraction {
  public:
-  // kept: the attributes that the corners keep, or null.
+  // kept: the attributes that the corners keep, or null. areBaked: corners whose vertex has moved
+  // take their attributes from where it is now.
   Extraction(const SimpleSurface& surface, const BuiltMesh& original, const TriangleMesh& input,
-             const KeptAttributes* kept)
+             const KeptAttributes* kept, bool areBaked)
       : surface_(surface), original_(original), input_(input), kept_(kept) {
     if (kept) corners_.resize(input.positions.size());
     for (Index i = 0; kept && i < original.mesh.halfedgeCapacity(); ++i)
       if (original.mesh.isAlive(Halfedge(i))) corners_[original.wedges[Halfedge(i)]] = Halfedge(i);
     for (const Attribute& attribute : input.attributes)
       result_.mesh.attributes.push_back({attribute.semantic, attribute.itemSize, {}});
+    if (areBaked && !input.attributes.empty())
+      moved_.emplace(original, input, seamsOf(original, input, Textures::Bake));
   }
 
   Followed run() {
@@ -88,18 +93,29 @@ class Extraction {
     return isMoved ? corners_[kept_->wedges[corner]] : best;
   }
 
+  // Groups may share a copy, but not the place on the input.
+  void addMoved(Halfedge original, const Vec3& p, Index copy, bool isNew) {
+    const Index group = groupOf(input_, original_.triangles[HalfedgeMesh::face(original)]);
+    const auto [place, isFirst] = placesOfMoved_.emplace(std::pair(copy, group), SurfacePoint{});
+    if (isFirst) place->second = moved_->pointNear(original, p);
+    if (isNew) moved_->append(place->second, result_.mesh.attributes);
+    result_.places.push_back(inputPlace(place->second, original_, input_));
+  }
+
   void addCorner(Vertex v, Halfedge original) {
     const Index wedge = original_.wedges[original];
     const auto [copy, isNew] =
         copies_.emplace(std::pair(v.index, wedge), Index(result_.mesh.positions.size()));
     result_.mesh.indices.push_back(copy->second);
+    const Vec3& p = surface_.positions[v];
+    if (isNew) result_.mesh.positions.push_back(p);
+    if (moved_ && p != original_.positions[v]) return addMoved(original, p, copy->second, isNew);
     InputPlace place{InputTriangle(original_.triangles[HalfedgeMesh::face(original)]),
                      Vec3::Zero()};
     for (Index k = 0; k < 3; ++k)
       if (input_.indices[cornerOf(place.triangle, k)] == wedge) place.weights[k] = 1;
     result_.places.push_back(place);
     if (!isNew) return;
-    result_.mesh.positions.push_back(surface_.positions[v]);
     for (std::size_t a = 0; a < input_.attributes.size(); ++a) {
       const Attribute& from = input_.attributes[a];
       const auto first = from.values.begin() + std::ptrdiff_t(wedge) * from.itemSize;
@@ -112,7 +128,9 @@ class Extraction {
   const BuiltMesh& original_;
   const TriangleMesh& input_;
   const KeptAttributes* kept_;
-  std::vector<Halfedge> corners_;  // one of each wedge
+  std::vector<Halfedge> corners_;      // one of each wedge
+  std::optional<MovedCorners> moved_;  // where vertices move and textures are baked
+  std::map<std::pair<Index, Index>, SurfacePoint> placesOfMoved_;  // by copy and group
   Followed result_;
   std::map<std::pair<Index, Index>, Index> copies_;
 };
@@ -237,7 +255,7 @@ std::optional<Followed> follow(const BuiltMesh& original, const TriangleMesh& in
     now = distinctPositions(surface.mesh, surface.positions);
     if (isStuck) break;
   } while (now > positions);
-  Followed result = Extraction(surface, original, input, kept).run();
+  Followed result = Extraction(surface, original, input, kept, !begin.keepsLook).run();
   result.positions = now;
   result.away = awayFrom({surface.mesh, surface.positions}, original.mesh, original.positions);
   return result;

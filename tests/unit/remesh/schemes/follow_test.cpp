@@ -173,6 +173,43 @@ TEST_CASE("follow: every triangle keeps its group, and corners know a place of t
   }
 }
 
+TEST_CASE("follow: where a vertex moves, attributes are those of the original at its new place") {
+  // A tube of flat facets; the chart's seam runs along it, and the second joint takes over halfway.
+  constexpr int kSides = 16, kRows = 48;
+  constexpr double kTurn = 6.283185307179586;
+  TriangleMesh input = shapes::grid(kSides, kRows);
+  Attribute uv{"TEXCOORD_0", 2, {}}, joints{"JOINTS_0", 4, {}}, weights{"WEIGHTS_0", 4, {}};
+  const auto second = [](double z) { return std::clamp((z - 16) / 16, 0.0, 1.0); };
+  for (Vec3& p : input.positions) {
+    const double angle = kTurn * std::fmod(p.x(), kSides) / kSides, z = p.y();
+    uv.values.insert(uv.values.end(), {float(p.x() / kSides), float(z / kRows)});
+    joints.values.insert(joints.values.end(), {3, 5, 0, 0});
+    weights.values.insert(weights.values.end(), {float(1 - second(z)), float(second(z)), 0, 0});
+    const double width = 4 + std::cos(z / 4);
+    p = {width * std::cos(angle), width * std::sin(angle), z};
+  }
+  input.attributes = {uv, joints, weights};
+  const std::optional<Followed> followed = follow(buildMesh(input), input, 90, {Textures::Bake});
+  REQUIRE(followed);
+  const TriangleMesh& result = followed->mesh;
+  std::size_t moved = 0;
+  for (std::size_t v = 0; v < result.positions.size(); ++v) {
+    const Vec3& p = result.positions[v];
+    moved += std::count(input.positions.begin(), input.positions.end(), p) == 0 ? 1 : 0;
+    double fifth = 0;
+    for (std::size_t k = 4 * v; k < 4 * v + 4; ++k)
+      if (result.attributes[1].values[k] == 5) fifth += result.attributes[2].values[k];
+    CHECK(fifth == doctest::Approx(second(p.z())).epsilon(0.03));
+  }
+  CHECK(moved > result.positions.size() / 3);
+  for (std::size_t t = 0; t < result.triangleCount(); ++t) {
+    const auto u = [&](std::size_t k) {
+      return result.attributes[0].values[2 * std::size_t{result.indices[3 * t + k]}];
+    };
+    CHECK(std::max({u(0), u(1), u(2)}) - std::min({u(0), u(1), u(2)}) < 0.5F);
+  }
+}
+
 TEST_CASE("follow: fewer vertices than curves have corners, where textures are baked") {
   const TriangleMesh cubes =
       shapes::cells(5, [](int i, int j, int k) { return i % 2 == 0 && j % 2 == 0 && k % 2 == 0; });
