@@ -28,7 +28,9 @@ RemeshOutcome runOn(PartInput part, Run remeshed, const RemeshOptions& options,
                     const Progress& progress) {
   const auto stretch = stretchAt(part.place.toWorld);
   const auto inPercents = [&](const TriangleMesh& shown) {
-    return withPercentsOf(shown, growthOf(part.place.toWorld), options);
+    RemeshOptions own = withPercentsOf(shown, growthOf(part.place.toWorld), options);
+    if (own.maxError) *own.maxError /= part.place.elsewhere;
+    return own;
   };
   if (!stretch)
     return remeshed(part.mesh, std::move(part.welding), inPercents(part.mesh), progress);

@@ -298,7 +298,7 @@ FidelityReport ThinnedParts::measured(const SceneRun& run) const {
   const TriangleTree tree(made.positions, made.indices);
   DistanceSampler sampler(tree);
   for (const Vec3& p : samples_) sampler.add(p);
-  const double percent = 100 * growthOf(firstPlace(run.parts.front())) / input_.diagonal;
+  const double percent = 100 * longestOf(run.parts.front()) / input_.diagonal;
   fidelity.hausdorff = std::max(fidelity.hausdorff, percent * sampler.farthest());
   fidelity.rms = std::max(fidelity.rms, percent * sampler.rms());
   return fidelity;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "jobs/parts/part_places.h"
 #include "mesh/joining.h"
 
 namespace remesher {
@@ -23,10 +24,11 @@ double worldDiagonal(const std::vector<io::Part>& parts) {
   for (const io::Part& part : parts) {
     if (!part.finer.empty()) continue;
     const bool isPlaced = !part.instances.empty();
+    const Transform place = largestPlace(part);
     for (const Index v : part.mesh.indices) {
       if (v >= part.mesh.positions.size()) continue;
       const Vec3& p = part.mesh.positions[v];
-      box.extend(isPlaced ? Vec3(part.instances.front() * p) : p);
+      box.extend(isPlaced ? Vec3(place * p) : p);
     }
   }
   return box.isEmpty() ? 0 : box.diagonal().stableNorm();

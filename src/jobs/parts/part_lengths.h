@@ -11,7 +11,7 @@
 
 namespace remesher {
 
-// The diagonal of the box around all parts, each at its first place; 0 if there is nothing. Coarser
+// The diagonal of the box around all parts, each at its largest place; 0 if there is nothing. Coarser
 // levels of detail and stray vertices do not count.
 double worldDiagonal(const std::vector<io::Part>& parts);
 

@@ -31,6 +31,34 @@ double shownArea(const Facing& faces, const Transform& place) {
   return std::sqrt(std::max(0.0, squared * faces.area));
 }
 
+// The directions of stretch (eigenvectors of LᵀL) and their factors; the axes if they are such
+// directions.
+std::pair<Eigen::Matrix3d, Vec3> stretchesOf(const Eigen::Matrix3d& linear) {
+  const Eigen::Matrix3d squares = linear.transpose() * linear;
+  constexpr double kNoStretch = 1e-12;
+  const Vec3 diagonal = squares.diagonal();
+  const Eigen::Matrix3d others = squares - Eigen::Matrix3d(diagonal.asDiagonal());
+  const double least = diagonal.minCoeff();
+  if (others.cwiseAbs().maxCoeff() <= kNoStretch * least)
+    return {Eigen::Matrix3d::Identity(), diagonal.cwiseMax(0).cwiseSqrt()};
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(squares);
+  return {solver.eigenvectors(), solver.eigenvalues().cwiseMax(0).cwiseSqrt()};
+}
+
+// See PartPlace; 1 if the part has no shape at the place.
+double lengthsElsewhere(const io::Part& part, const Transform& place) {
+  const double size = place.linear().cwiseAbs().maxCoeff();
+  const Vec3 stretches = stretchesOf(place.linear() / size).second;
+  if (!(stretches.minCoeff() >= kFlat * stretches.maxCoeff())) return 1;
+  const Eigen::Matrix3d back = (place.linear() / size).inverse();
+  double most = 1;
+  for (const Transform& other : part.instances) {
+    const Eigen::Matrix3d way = other.linear() / size * back;
+    if (way.squaredNorm() > most * most) most = std::max(most, stretchesOf(way).second.maxCoeff());
+  }
+  return most > kEven && std::isfinite(most) ? most : 1;
+}
+
 // The place with the largest area, and the mean area of all places that show any.
 PartPlace placeOf(const io::Part& part, const Facing& faces) {
   PartPlace best;
@@ -46,21 +74,8 @@ PartPlace placeOf(const io::Part& part, const Facing& faces) {
     best.toWorld = place;
   }
   if (count > 0) best.area /= double(count);
+  if (count > 1) best.elsewhere = lengthsElsewhere(part, best.toWorld);
   return best;
-}
-
-// The directions of stretch (eigenvectors of LᵀL) and their factors; the axes if they are such
-// directions.
-std::pair<Eigen::Matrix3d, Vec3> stretchesOf(const Eigen::Matrix3d& linear) {
-  const Eigen::Matrix3d squares = linear.transpose() * linear;
-  constexpr double kNoStretch = 1e-12;
-  const Vec3 diagonal = squares.diagonal();
-  const Eigen::Matrix3d others = squares - Eigen::Matrix3d(diagonal.asDiagonal());
-  const double least = diagonal.minCoeff();
-  if (others.cwiseAbs().maxCoeff() <= kNoStretch * least)
-    return {Eigen::Matrix3d::Identity(), diagonal.cwiseMax(0).cwiseSqrt()};
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(squares);
-  return {solver.eigenvectors(), solver.eigenvalues().cwiseMax(0).cwiseSqrt()};
 }
 
 using Coordinates = std::array<double, 3>;
@@ -70,6 +85,25 @@ Coordinates coordinatesOf(const Vec3& p) { return {p.x() + 0.0, p.y() + 0.0, p.z
 
 Transform firstPlace(const io::Part& part) {
   return part.instances.empty() ? Transform::Identity() : part.instances.front();
+}
+
+Transform largestPlace(const io::Part& part) {
+  const auto isOutside = [&](Index v) { return v >= part.mesh.positions.size(); };
+  if (part.instances.size() < 2 ||
+      std::any_of(part.mesh.indices.begin(), part.mesh.indices.end(), isOutside))
+    return firstPlace(part);
+  const PartPlace place = placeOf(part, facingOf(part.mesh));
+  return place.area > 0 ? place.toWorld : firstPlace(part);
+}
+
+double longestOf(const io::Part& part) {
+  double longest = part.instances.empty() ? 1 : 0;
+  for (const Transform& place : part.instances) {
+    const double even = std::cbrt(std::abs(place.linear().determinant()));
+    const bool isEven = !stretchAt(place) && even > 0;
+    longest = std::max(longest, isEven ? even : stretchesOf(place.linear()).second.maxCoeff());
+  }
+  return longest;
 }
 
 std::vector<PartPlace> placesOf(const std::vector<io::Part>& parts) {

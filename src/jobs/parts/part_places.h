@@ -13,11 +13,20 @@ namespace remesher {
 struct PartPlace {
   Transform toWorld = Transform::Identity();
   double area = 0;  // the mean over the places where the part is shown
+  // How many times as long as there any place may show a length of the part: above 1 only where
+  // another place stretches it in other directions.
+  double elsewhere = 1;
 };
 
 // From the part's space to the world, at the first place where the file shows it; a part without a
 // place is where it is.
 Transform firstPlace(const io::Part& part);
+
+// The place where the file shows the part largest; the first if it shows it nowhere.
+Transform largestPlace(const io::Part& part);
+
+// How many times as long as in the part's own space any place may show a length of it.
+double longestOf(const io::Part& part);
 
 // The parts must be valid.
 std::vector<PartPlace> placesOf(const std::vector<io::Part>& parts);

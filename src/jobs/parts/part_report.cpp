@@ -9,6 +9,7 @@
 #include "io/model/bake.h"
 #include "measure/mesh_report.h"
 #include "measure/quad_report.h"
+#include "mesh/joining.h"
 
 namespace remesher {
 namespace {
@@ -147,7 +148,10 @@ TriangleMesh gathered(const std::vector<io::Part>& parts, const std::vector<Part
   return all;
 }
 
-FidelityReport fidelityOf(const PartPairs& parts, Maximum maximum, std::optional<ListedTree> tree) {
+namespace {
+
+FidelityReport fidelityThere(const PartPairs& parts, Maximum maximum,
+                             std::optional<ListedTree> tree) {
   const auto& [originals, results, places] = parts;
   const io::Part& first = originals.front();
   const TriangleMesh made = gathered(results, places);
@@ -155,6 +159,25 @@ FidelityReport fidelityOf(const PartPairs& parts, Maximum maximum, std::optional
   if (isByItself && (tree || !hasOnlyLines(first.mesh)))
     return measureFidelity(first.mesh, made, maximum, std::move(tree));
   return measureFidelity(gathered(originals, places), made, maximum);
+}
+
+}  // namespace
+
+FidelityReport fidelityOf(const PartPairs& parts, Maximum maximum, std::optional<ListedTree> tree) {
+  const auto& [originals, results, places] = parts;
+  FidelityReport most = fidelityThere(parts, maximum, std::move(tree));
+  std::optional<double> whole;
+  for (std::size_t i = 0; i < originals.size(); ++i) {
+    if (!(places[i].elsewhere > 1) || !originals[i].finer.empty()) continue;
+    const std::vector<io::Part> original = {originals[i]}, result = {results[i]};
+    const std::vector<PartPlace> place = {places[i]};
+    const FidelityReport own = fidelityThere({original, result, place}, maximum, {});
+    if (!whole) whole = diagonalOf(gathered(originals, places));
+    const double share = *whole > 0 ? diagonalOf(gathered(original, place)) / *whole : 1;
+    most.hausdorff = std::max(most.hausdorff, own.hausdorff * places[i].elsewhere * share);
+    most.rms = std::max(most.rms, own.rms * places[i].elsewhere * share);
+  }
+  return most;
 }
 
 std::vector<Warning> joined(std::vector<Warning> all, const std::vector<Warning>& more) {

@@ -3,9 +3,11 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "measure/hausdorff.h"
 #include "measure/mesh_report.h"
 #include "remesher.h"
 #include "support/area_of.h"
@@ -73,6 +75,48 @@ TEST_CASE("part places: stretching and back leaves vertices where they were, to 
     const Eigen::Matrix3d stretch = *stretchAt(Transform(place * turned(70)));
     CHECK(relaxed(stretched(mesh, stretch), stretch, mesh).positions == mesh.positions);
   }
+}
+
+TEST_CASE(
+    "part places: other places show lengths longer only where they stretch other directions") {
+  const auto elsewhere = [](const std::vector<Transform>& places) {
+    return placesOf({io::Part{"", shapes::icosphere(2), places}})[0].elsewhere;
+  };
+  const Transform turn = turned(40);
+  CHECK(elsewhere({scaling(1, 1, 1), Transform(turn * scaling(3, -3, 3)), scaling(2, 2, 2)}) == 1);
+  CHECK(elsewhere({scaling(1, 5, 1), Transform(turn * scaling(1, 5, 1))}) == 1);
+  CHECK(elsewhere({scaling(1, 1, 1), scaling(1, 0.1, 3)}) == doctest::Approx(10));
+  CHECK(elsewhere({turn, Transform(turn * scaling(1, 0.1, 3)), scaling(0, 2, 0)}) ==
+        doctest::Approx(20));
+  CHECK(longestOf({"", shapes::icosphere(1), {Transform(turn * scaling(1, 0.1, 3)), turn}}) ==
+        doctest::Approx(3));
+}
+
+TEST_CASE("part places: the bound and the distance said hold at every place, however stretched") {
+  const TriangleMesh torus = singled(shapes::torus(24, 16));
+  const std::vector<Transform> places = {scaling(1, 1, 1), scaling(-1, 1, 1), scaling(1, 3, 0.1),
+                                         Transform(turned(50) * scaling(0.2, 1, 2))};
+  const auto farthest = [&](const TriangleMesh& result) {
+    double most = 0;
+    for (const Transform& place : places) {
+      const DeviationBothWays d =
+          measureDeviation(placed(torus, place), placed(result, place), Maximum::Sampled);
+      most = std::max({most, d.toResult.maximum, d.toOriginal.maximum});
+    }
+    return most;
+  };
+  const auto said = [](const Report& report) {
+    return report.fidelity->hausdorff / 100 * report.input.diagonal * 1.001;
+  };
+  RemeshOptions options;
+  options.vertices = 200;
+  const RemeshSceneResult plain = remeshScene({{torus, places}}, options, {});
+  CHECK(farthest(plain.meshes[0]) <= said(plain.report));
+  options.vertices.reset();
+  options.lengths.maxError = 0.05;
+  const RemeshSceneResult bounded = remeshScene({{torus, places}}, options, {});
+  CHECK(farthest(bounded.meshes[0]) <= 0.05 * 1.001);
+  CHECK(farthest(bounded.meshes[0]) <= said(bounded.report));
 }
 
 TEST_CASE("part places: triangles are even where the part is shown, and the report is of that") {
