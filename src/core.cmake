@@ -312,6 +312,7 @@ set(small
   src/remesh/quads/shape/thin_protrusions.cpp
   src/remesh/quads/shape/tip_distances.cpp
   src/remesh/schemes/attribute_lengths.cpp
+  src/remesh/schemes/bent_skin.cpp
   src/remesh/schemes/best.cpp
   src/remesh/schemes/bodies.cpp
   src/remesh/schemes/chart_needs.cpp

@@ -11,8 +11,8 @@
 
 namespace remesher {
 
-// The diagonal of the box around all parts, each at its largest place; 0 if there is nothing. Coarser
-// levels of detail and stray vertices do not count.
+// The diagonal of the box around all parts, each at its largest place; 0 if there is nothing.
+// Coarser levels of detail and stray vertices do not count.
 double worldDiagonal(const std::vector<io::Part>& parts);
 
 // How many times as long a length in the part's own space is in the world.

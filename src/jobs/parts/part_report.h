@@ -41,8 +41,8 @@ struct PartPairs {
 };
 
 // The distances of the gathered results from the gathered originals, or what other places of a part
-// may make of its own: an upper bound. tree: if at hand, of the only part's triangles, each once and
-// without lines.
+// may make of its own: an upper bound. tree: if at hand, of the only part's triangles, each once
+// and without lines.
 FidelityReport fidelityOf(const PartPairs& parts, Maximum maximum, std::optional<ListedTree> tree);
 
 // Both lists as one; warnings of the same code are merged.

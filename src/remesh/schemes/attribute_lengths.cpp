@@ -4,8 +4,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "geometry/triangle.h"
+#include "remesh/schemes/bent_skin.h"
 
 namespace remesher {
 
@@ -13,6 +15,8 @@ namespace {
 
 // A change from no colour to full colour counts as a hundredth of the model's size.
 constexpr double kAll = 0.01;
+// What moves only in other poses and shapes counts as so much of a distance at rest.
+constexpr double kOfDistance = 0.1;
 
 bool startsWith(const Attribute& attribute, std::string_view name) {
   return attribute.semantic.starts_with(name);
@@ -42,6 +46,9 @@ double lengthOf(const TriangleMesh& input, const Attribute& attribute) {
   if (startsWith(attribute, "NORMAL") || startsWith(attribute, "TANGENT") ||
       startsWith(attribute, "JOINTS"))
     return 0;
+  if (attribute.semantic == "WEIGHTS_0" && BentSkin::has(input)) return 0;
+  if (startsWith(attribute, "TARGET_"))
+    return attribute.semantic.ends_with("/POSITION") ? kOfDistance : 0;
   if (startsWith(attribute, "TEXCOORD")) return texelLength(input, attribute);
   return kAll * diagonalOf(input);
 }
@@ -65,10 +72,18 @@ KeptAttributes attributesAsLengths(const BuiltMesh& original, const TriangleMesh
       lengths.emplace_back(&attribute, length);
       kept.itemSize += std::size_t(attribute.itemSize);
     }
-  for (std::size_t v = 0; v < input.positions.size(); ++v)
+  std::optional<BentSkin> skin;
+  if (BentSkin::has(input)) {
+    skin.emplace(input);
+    kept.itemSize += 3 * std::size_t{BentSkin::kPoses};
+  }
+  for (std::size_t v = 0; v < input.positions.size(); ++v) {
     for (const auto& [attribute, length] : lengths)
       for (int k = 0; k < attribute->itemSize; ++k)
         kept.values.push_back(length * attribute->values[v * attribute->itemSize + k]);
+    for (int pose = 0; skin && pose < BentSkin::kPoses; ++pose)
+      for (const double way : skin->movement(v, pose)) kept.values.push_back(kOfDistance * way);
+  }
   // All wedges of a vertex that look the same become one.
   const HalfedgeMesh& m = original.mesh;
   for (Index i = 0; i < m.vertexCapacity(); ++i) {

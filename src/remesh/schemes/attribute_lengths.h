@@ -14,8 +14,9 @@ bool haveSameLook(const TriangleMesh& input, Index a, Index b);
 
 // The attributes of all corners of an original. Texture coordinates count by a share of the way
 // along the surface on which they change by as much; attributes without a length of their own, such
-// as colours, by a share of the model's size. Normals, tangents and joint numbers are left out;
-// without other attributes there are no values.
+// as colours, by a share of the model's size; skins and morph targets by how far they move, in a
+// few poses of the skin. Normals, tangents and joint numbers are left out; without other attributes
+// there are no values.
 KeptAttributes attributesAsLengths(const BuiltMesh& original, const TriangleMesh& input);
 
 }  // namespace remesher
