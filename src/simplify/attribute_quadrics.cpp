@@ -48,6 +48,15 @@ double AttributeQuadrics::cost(Index going, Index staying, const Vec3& place) co
   return costOf(going, staying, place) + costOf(staying, staying, place);
 }
 
+double AttributeQuadrics::squaredJump(Index one, Index other) const {
+  double result = 0;
+  for (std::size_t k = 0; k < itemSize_; ++k) {
+    const double step = values_[one * itemSize_ + k] - values_[other * itemSize_ + k];
+    result += step * step;
+  }
+  return result;
+}
+
 void AttributeQuadrics::merge(Index going, Index staying) {
   sums_[staying].functions.add(sums_[going].functions);
   sums_[staying].area += sums_[going].area;

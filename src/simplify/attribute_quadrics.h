@@ -21,6 +21,9 @@ class AttributeQuadrics {
   // were at `place` with the attributes of `staying`.
   double cost(Index going, Index staying, const Vec3& place) const;
 
+  // Between the values of two wedges.
+  double squaredJump(Index one, Index other) const;
+
   void merge(Index going, Index staying);
 
  private:

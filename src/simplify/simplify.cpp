@@ -42,8 +42,9 @@ struct Offer : RankedEdge {
   double onLoop = 0;  // and where that is on a boundary
 };
 
-// Free: inside and on no seam. Seam: on a seam or a boundary. Fixed: where these meet or end.
-enum class Freedom : char { Free, Seam, Fixed };
+// Free: inside and on no seam. Jump: inside, on seams that are all jumps. Seam: on a seam or a
+// boundary. Fixed: where these meet or end.
+enum class Freedom : char { Free, Jump, Seam, Fixed };
 
 class Simplification {
  public:
@@ -121,16 +122,28 @@ class Simplification {
       const Halfedge h = HalfedgeMesh::halfedge(f, k);
       if (mesh_.isBoundary(h))
         addBorder(h, normal);
-      else if (isSeam(h))
-        addEdge(h, normal, kBorder / 2);
-      else if (isSharp(h, normal))
-        addEdge(h, normal, kCrease);
+      else
+        addEdge(
+            h, normal,
+            std::max(isSeam(h) ? kBorder / 2 * worthOf(h) : 0, isSharp(h, normal) ? kCrease : 0));
     }
   }
 
   bool isSharp(Halfedge h, const Vec3& normal) const {
     const auto [a, b, c] = mesh_.vertices(HalfedgeMesh::face(mesh_.twin(h)));
     return unitNormal(at(a), at(b), at(c)).dot(normal) < kSharp;
+  }
+
+  // The share of its weight that a seam has: a jump that lies beside its place shows an error of as
+  // much as the values differ, however far away it is.
+  double worthOf(Halfedge h) const {
+    if (!attributes_ || surface_.seams[h] != kJump) return 1;
+    double most = 0;
+    for (const Halfedge side : {h, mesh_.twin(h)}) {
+      const Index across = kept_->wedges[HalfedgeMesh::next(mesh_.twin(side))];
+      most = std::max(most, attributes_->squaredJump(kept_->wedges[side], across));
+    }
+    return std::min(1.0, most / (at(mesh_.tip(h)) - at(mesh_.origin(h))).squaredNorm());
   }
 
   // A border shows errors as much as the inside does: it counts as though the surface went on as
@@ -151,11 +164,19 @@ class Simplification {
 
   Freedom freedomOf(Vertex v) const {
     int seams = 0;
+    bool areJumps = attributes_.has_value();
     mesh_.forEachOutgoing(v, [&](Halfedge h) {
       seams += isSeam(h) ? 1 : 0;
       seams += mesh_.isBoundary(HalfedgeMesh::prev(h)) ? 1 : 0;
+      areJumps &= surface_.seams[h] != kSeam;
     });
+    if (seams > 0 && areJumps && !mesh_.isBoundary(v)) return Freedom::Jump;
     return seams == 0 ? Freedom::Free : seams == 2 ? Freedom::Seam : Freedom::Fixed;
+  }
+
+  static Freedom joined(Freedom gone, Freedom into) {
+    if (gone == Freedom::Jump && into == Freedom::Seam) return Freedom::Fixed;
+    return std::max(gone, into);
   }
 
   // Stamps only grow: if their sum is the same, so are both.
@@ -168,7 +189,7 @@ class Simplification {
   void offer(Halfedge h) {
     if (!mesh_.isAlive(h)) return;
     const Vertex from = mesh_.origin(h), into = mesh_.tip(h);
-    if (freedom_[from] != Freedom::Free && !isSeam(h)) return;
+    if (freedom_[from] >= Freedom::Seam && !isSeam(h)) return;
     if (freedom_[from] == Freedom::Fixed && !attributes_) return;
     // Where a seam ends on a boundary: the boundary would lead across the surface.
     if (mesh_.isBoundary(from) && !mesh_.isBoundary(h)) return;
@@ -208,10 +229,11 @@ class Simplification {
     return pairs;
   }
 
-  // The other wedges at the origin of an edge, where seams meet.
+  // The other wedges at the origin of an edge, where seams meet or are jumps.
   std::vector<Index> wedgesBeside(Halfedge h) const {
     std::vector<Index> result;
-    if (freedom_[mesh_.origin(h)] != Freedom::Fixed) return result;
+    const Freedom freedom = freedom_[mesh_.origin(h)];
+    if (freedom != Freedom::Fixed && freedom != Freedom::Jump) return result;
     const auto pairs = wedgesAlong(h);
     mesh_.forEachOutgoing(mesh_.origin(h), [&](Halfedge corner) {
       const Index wedge = kept_->wedges[corner];
@@ -267,7 +289,7 @@ class Simplification {
     for (const Halfedge side : {h, mesh_.twin(h)}) {
       if (!side) continue;
       const Halfedge second = HalfedgeMesh::next(side), third = HalfedgeMesh::prev(side);
-      const char seam = surface_.seams[second] || surface_.seams[third];
+      const char seam = std::max(surface_.seams[second], surface_.seams[third]);
       for (const Halfedge edge : {second, third})
         if (mesh_.twin(edge)) surface_.seams[mesh_.twin(edge)] = seam;
     }
@@ -278,7 +300,7 @@ class Simplification {
     surface_.positions[into] = offered.place;
     if (slides) surface_.boundary->move(into, offered.onLoop);
     quadrics_[into].add(gone);
-    if (freedom_[offered.from] == Freedom::Fixed) freedom_[into] = Freedom::Fixed;
+    freedom_[into] = joined(freedom_[offered.from], freedom_[into]);
     ++stamps_[into];
     mesh_.forEachNeighbor(into, [&](Vertex w) { stamps_[w] += mesh_.isHub(w) ? 0 : 1; });
     offerAround(into);

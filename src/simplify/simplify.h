@@ -11,10 +11,13 @@
 
 namespace remesher {
 
+// What an edge is the border of. Across a jump nothing changes but values such as colours.
+enum Seam : char { kNoSeam, kJump, kSeam };
+
 struct SimpleSurface {
   HalfedgeMesh mesh;
   VertexData<Vec3> positions;
-  // Of both halfedges. Without attributes, triangles between seams must remain.
+  // Of both halfedges: a Seam. Without attributes, triangles between seams must remain.
   HalfedgeData<char> seams;
   VertexData<char> held = {};  // vertices that neither move nor go; empty: none
   // Of the surface that was given first; set where vertices move.
@@ -35,8 +38,9 @@ struct KeptAttributes {
 // boundary, along the boundary loop that was given first. Boundaries and seams are only shortened
 // along themselves; vertices where seams meet stay. With attributes no vertex moves, and collapses
 // that change attributes more come later [Hoppe 1999]; edges across which attributes jump must be
-// seams. Vertices where seams meet go too then, along a seam, and those of a boundary along it:
-// corners of charts on neither side keep their wedge, now at the place of another vertex.
+// seams, and a jump is worth no more than the values differ. Vertices where seams meet go too then,
+// along a seam, and those of a boundary along it: corners of charts on neither side keep their
+// wedge, now at the place of another vertex.
 void simplify(SimpleSurface& surface, std::size_t vertices, KeptAttributes* kept = nullptr);
 
 // The costs of the collapses that simplify() does until nothing more goes, none below the one

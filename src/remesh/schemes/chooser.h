@@ -57,7 +57,8 @@ enum class Fact {
   VerticesPlaced,  // by an option: density, edges, a bound, kept boundaries, repair …
   MoreThanInput,   // vertices are wanted
   // About the candidates for one surface. A distance is seen if it is above kSeen.
-  CornersExceedNumber,  // more corners of curves than vertices, where textures are baked
+  CornersExceedNumber,  // more corners of curves than vertices, where textures are baked or colours
+                        // would raise the number
   SimplifiedToNumber,   // simplification reaches the number asked for
   SimplifiedOrDivided,  // the same, or the original's triangles can be divided to it
   NumberReached,        // by the isotropic triangles

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <span>
+#include <string_view>
 #include <utility>
 
 #include "base/place.h"
@@ -27,9 +28,10 @@ Index groupOf(const TriangleMesh& input, Index triangle) {
   return input.groups.empty() ? 0 : input.groups[triangle];
 }
 
-bool sameAttributes(const TriangleMesh& input, Index a, Index b) {
+bool sameAttributes(const TriangleMesh& input, Index a, Index b, std::string_view beginning = "") {
   return a == b ||
          std::all_of(input.attributes.begin(), input.attributes.end(), [&](const auto& x) {
+           if (!x.semantic.starts_with(beginning)) return true;
            const auto at = [&](Index i) { return x.values.begin() + std::size_t{i} * x.itemSize; };
            return std::equal(at(a), at(a) + x.itemSize, at(b));
          });
@@ -170,10 +172,16 @@ HalfedgeData<char> seamsOf(const BuiltMesh& built, const TriangleMesh& input, Te
     const Halfedge h(i), t = m.isAlive(h) ? m.twin(h) : Halfedge();
     if (!t) continue;
     const auto group = [&](Halfedge e) { return groupOf(input, built.triangles[m.face(e)]); };
-    const auto wedge = [&](Halfedge e) { return built.wedges[e]; };
-    const auto areSame = keepsLook ? haveSameLook : sameAttributes;
-    seams[h] = group(h) != group(t) || !areSame(input, wedge(h), wedge(m.next(t))) ||
-               !areSame(input, wedge(m.next(h)), wedge(t));
+    const auto areSame = [&](const auto& compare) {
+      return compare(built.wedges[h], built.wedges[m.next(t)]) &&
+             compare(built.wedges[m.next(h)], built.wedges[t]);
+    };
+    const bool isSame = areSame([&](Index a, Index b) {
+      return keepsLook ? haveSameLook(input, a, b) : sameAttributes(input, a, b);
+    });
+    const bool isOneChart =
+        areSame([&](Index a, Index b) { return sameAttributes(input, a, b, "TEXCOORD"); });
+    seams[h] = group(h) != group(t) || !isOneChart ? kSeam : isSame ? kNoSeam : kJump;
   }
   return seams;
 }

@@ -207,7 +207,7 @@ class SurfaceCandidates {
 
   bool isOfMesh(Fact fact) {
     if (fact == Fact::CornersExceedNumber)
-      return options_.textures == Textures::Bake &&
+      return (options_.textures == Textures::Bake || isRaised()) &&
              countCorners(plan_.curves, plan_.built.mesh) > vertices_ &&
              isWorthFollowing(plan_.built, vertices_);
     if (fact == Fact::SimplifiedToNumber) return isSimplified();
@@ -230,6 +230,16 @@ class SurfaceCandidates {
     if (fact == Fact::SimplifiedNearer)
       return isotropic().comparison().isSimplifiedNearer(isotropic().mesh());
     return fact == Fact::BoundedReached && bounded().isReached();
+  }
+
+  // Whether corners of colours raise the number, for which no facets are meshed. With textures more
+  // vertices keep each texel in its place.
+  bool isRaised() const {
+    const auto isTexcoord = [](const Attribute& attribute) {
+      return attribute.semantic.starts_with("TEXCOORD");
+    };
+    return options_.tooFew == TooFew::Raise && !input_.attributes.empty() &&
+           std::none_of(input_.attributes.begin(), input_.attributes.end(), isTexcoord);
   }
 
   bool isSimplified() {

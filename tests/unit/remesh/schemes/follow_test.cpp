@@ -7,6 +7,8 @@
 #include <cmath>
 #include <span>
 
+#include "geometry/mesh_triangle.h"
+#include "geometry/triangle.h"
 #include "measure/hausdorff.h"
 #include "measure/mesh_report.h"
 #include "mesh/mesh_builder.h"
@@ -85,6 +87,29 @@ TriangleMesh bent(TriangleMesh mesh) {
     for (std::size_t k = 4 * v; k < 4 * v + 4; ++k) elbow += joints[k] == 5 ? weights[k] : 0;
     const Vec3 p = mesh.positions[v], turned(p.z() - 24, p.y(), 24 - p.x());
     mesh.positions[v] = (1 - elbow) * p + elbow * turned;
+  }
+  return mesh;
+}
+
+TriangleMesh ballOfCells() {
+  return shapes::cells(11, [](int x, int y, int z) {
+    return (Vec3(x, y, z) - Vec3::Constant(5)).squaredNorm() < 30;
+  });
+}
+
+// Each cell has a colour of its own.
+TriangleMesh painted(const TriangleMesh& plain) {
+  TriangleMesh mesh;
+  mesh.attributes = {{"COLOR_0", 3, {}}};
+  for (std::size_t t = 0; t < plain.triangleCount(); ++t) {
+    const auto [a, b, c] = cornersOf(plain, t);
+    const Vec3 within = (a + b + c) / 3 - unitNormal(a, b, c) / 2;
+    for (const Vec3& p : {a, b, c}) {
+      mesh.indices.push_back(Index(mesh.positions.size()));
+      mesh.positions.push_back(p);
+      for (int k = 0; k < 3; ++k)
+        mesh.attributes[0].values.push_back(float(std::floor(within[k])) / 10);
+    }
   }
   return mesh;
 }
@@ -328,4 +353,18 @@ TEST_CASE("follow: with about its own number of vertices a body of flat sides st
     const DeviationBothWays d = measureDeviation(input, outcome.mesh, Maximum::Sampled);
     CHECK(std::max(d.toResult.maximum, d.toOriginal.maximum) < 1e-9 * d.diagonal);
   }
+}
+
+TEST_CASE("follow: a colour on each cell of a body does not cost its shape") {
+  const TriangleMesh plain = ballOfCells(), coloured = painted(plain);
+  const std::size_t own = inspectMesh(plain).vertices;
+  const auto away = [&](const TriangleMesh& input) {
+    return follow(buildMesh(input), input, own / 2, {Textures::Keep}).value().away;
+  };
+  CHECK(away(coloured).farthest < 1.1 * away(plain).farthest);
+  // Nor is a number raised that has no room for the corners of all cells.
+  RemeshOptions options;
+  options.vertices = Index(own / 3);
+  options.tooFew = TooFew::Raise;
+  CHECK(remeshSurface(coloured, options, {}).vertices == own / 3);
 }
