@@ -86,7 +86,8 @@ RemeshFileResult unwrapFile(const FileBundle& input, const std::string& outputNa
       inFile(input.file.name, [&] { return runUnwrap(model, options, whole.part(kReadShare, 1)); });
   whole.phase("write", 1, 1);
   io::WrittenFiles written = io::write(model, outputName);
-  report.warnings = joined(joined(report.warnings, model.warnings), written.warnings);
+  const std::vector<Warning> lost = joined(written.warnings, io::polygonsCut(model, written));
+  report.warnings = joined(joined(report.warnings, model.warnings), lost);
   return {std::move(written.files), {}, timed(std::move(report), clock)};
 }
 

@@ -185,7 +185,8 @@ ConvertFileResult convertFile(const FileBundle& input, const std::string& output
   io::Model model = io::read(input.file, input.resources);
   io::prepare(model, outputName);
   io::WrittenFiles written = io::write(model, outputName);
-  return {std::move(written.files), joined(model.warnings, written.warnings)};
+  const std::vector<Warning> lost = joined(written.warnings, io::polygonsCut(model, written));
+  return {std::move(written.files), joined(model.warnings, lost)};
 }
 
 Report inspect(const TriangleMesh& mesh) { return inspectedMesh(mesh).report; }

@@ -73,6 +73,8 @@ RemeshFileResult repairFile(const FileBundle& input, const std::string& outputNa
   }
   io::WrittenFiles written = inFile(input.file.name, [&] { return io::write(model, outputName); });
   report.warnings = joined(joined(model.warnings, report.warnings), written.warnings);
+  if (!repaired.isRemade)
+    report.warnings = joined(report.warnings, io::polygonsCut(model, written));
   return {std::move(written.files), picturesFrom(std::move(written.images)),
           timed(std::move(report), clock)};
 }

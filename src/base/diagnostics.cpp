@@ -66,6 +66,7 @@ constexpr std::array kDiagnostics = {
     Diagnostic{"PARTS_MERGED", Severity::Note},
     Diagnostic{"PASSED_ON", Severity::Note},
     Diagnostic{"PIECES_DROPPED", Severity::Note},
+    Diagnostic{"POLYGONS_CUT", Severity::Loss},
     Diagnostic{"QUADS_MADE_SYMMETRIC", Severity::Note},
     Diagnostic{"QUADS_NUMBER_MISSED", Severity::Loss},
     Diagnostic{"QUADS_OFF_BORDER", Severity::Fault},

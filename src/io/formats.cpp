@@ -41,17 +41,18 @@ struct Format {
 
 constexpr Format kFormats[] = {
     {".glb", "a GLB", readGltf, writeGlb,
-     kHoldsParts | kHoldsMeshes | kHoldsScenes | kHoldsImages | kHoldsTexcoords},
+     kHoldsParts | kHoldsMeshes | kHoldsScenes | kHoldsImages | kHoldsTexcoords | kHoldsPolygons},
     {".gltf", "a glTF", readGltf, writeGltf,
-     kHoldsParts | kHoldsMeshes | kHoldsScenes | kHoldsImages | kHoldsTexcoords},
-    {".obj", "an OBJ", readObj, writeObj, kHoldsParts | kHoldsDoubles | kHoldsTexcoords},
-    {".off", "an OFF", readOff, writeOff, kHoldsDoubles | kHoldsTexcoords},
-    {".ply", "a PLY", readPly, writePly, kHoldsDoubles | kHoldsTexcoords},
+     kHoldsParts | kHoldsMeshes | kHoldsScenes | kHoldsImages | kHoldsTexcoords | kHoldsPolygons},
+    {".obj", "an OBJ", readObj, writeObj,
+     kHoldsParts | kHoldsDoubles | kHoldsTexcoords | kHoldsPolygons},
+    {".off", "an OFF", readOff, writeOff, kHoldsDoubles | kHoldsTexcoords | kHoldsPolygons},
+    {".ply", "a PLY", readPly, writePly, kHoldsDoubles | kHoldsTexcoords | kHoldsPolygons},
     {".stl", "an STL", readStl, writeStl, 0},
     {".3mf", "a 3MF", readThreemf, writeThreemf, kHoldsParts | kHoldsMeshes | kHoldsDoubles},
-    {".msh", "a Gmsh file", readGmsh, writeGmsh, kHoldsParts | kHoldsDoubles},
-    {".vtu", "a VTU", readVtu, writeVtu, kHoldsParts | kHoldsDoubles},
-    {".inp", "an Abaqus input", nullptr, writeAbaqus, kHoldsParts | kHoldsDoubles},
+    {".msh", "a Gmsh file", readGmsh, writeGmsh, kHoldsParts | kHoldsDoubles | kHoldsPolygons},
+    {".vtu", "a VTU", readVtu, writeVtu, kHoldsParts | kHoldsDoubles | kHoldsPolygons},
+    {".inp", "an Abaqus input", nullptr, writeAbaqus, kHoldsParts | kHoldsDoubles | kHoldsPolygons},
 };
 
 // Of all formats that are written, or of those that are also read.
@@ -216,6 +217,16 @@ WrittenFiles write(const Model& model, const std::string& outputName) {
                                 ".gltf to keep them.",
                                 lost});
   return written;
+}
+
+std::vector<Warning> polygonsCut(const Model& model, const WrittenFiles& written) {
+  const bool isCut = model.polygons > 0 && !written.isUntouched &&
+                     canHold(written.files.front().name, kHoldsPolygons);
+  if (!isCut) return {};
+  return {{"POLYGONS_CUT",
+           "Faces of more than three corners were cut into triangles: only meshes that are all "
+           "quads keep theirs.",
+           model.polygons}};
 }
 
 }  // namespace remesher::io

@@ -30,6 +30,7 @@ enum Holds : unsigned {
   kHoldsParts = 8,
   kHoldsMeshes = 16,  // parts with vertices of their own, which no reader joins
   kHoldsTexcoords = 32,
+  kHoldsPolygons = 64,
 };
 
 // Whether a file of this name can hold that.
@@ -52,5 +53,9 @@ void uniteAll(Model& model, const std::string& outputName);
 // A model written in the format it came from keeps its whole scene; in another format it becomes
 // its parts at the places of their instances. Throws Error: UNKNOWN_FORMAT, NO_TRIANGLES.
 WrittenFiles write(const Model& model, const std::string& outputName);
+
+// Says how many polygons of the file read were cut into triangles, if the format that is written
+// could hold them.
+std::vector<Warning> polygonsCut(const Model& model, const WrittenFiles& written);
 
 }  // namespace remesher::io

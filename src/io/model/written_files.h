@@ -16,6 +16,7 @@ struct WrittenFiles {
   std::vector<Warning> warnings;
   // Until image n is encoded, files refer to it as `painting:n`.
   std::vector<PaintedImage> images = {};
+  bool isUntouched = false;  // the file that was read, byte for byte
 };
 
 }  // namespace remesher::io

@@ -127,6 +127,7 @@ Model modelOf(NamedFaces faces, const std::string& fileName) {
   }
   Model model;
   model.conventions = Conventions::Classic;
+  if (!mesh.isQuads) model.polygons = mesh.triangleCount() - faces.faces.size();
   model.parts.push_back(std::move(part));
   return model;
 }

@@ -184,6 +184,11 @@ std::vector<Warning> warningsOn(const PlyContent& content) {
   return warnings;
 }
 
+std::size_t polygonsOf(const PlyFaces& faces) {
+  return std::size_t(
+      std::count_if(faces.sizes.begin(), faces.sizes.end(), [](Index size) { return size > 3; }));
+}
+
 // MeshLab names the images in remarks, ordered by texture number.
 std::vector<GroupInfo> groupInfos(const PlySource& source) {
   constexpr std::string_view kImage = "comment TextureFile ";
@@ -214,6 +219,8 @@ Model readPly(const File& file, const std::vector<File>&) {
   if (mesh.triangleCount() == 0)
     throw Error(ErrorCode::NoTriangles, legible(file.name) + " has no faces.",
                 "Only surfaces can be remeshed, not points.");
+  for (const PlyFaces& faces : content.faces)
+    model.polygons += mesh.isQuads ? 0 : polygonsOf(faces);
   source->original = file;
   source->vertexCount = mesh.positions.size();
   source->triangleCount = mesh.triangleCount();

@@ -161,7 +161,7 @@ bool becomesSingle(const Model& model) {
 WrittenFiles writePly(const Model& model, const std::string& outputName) {
   const auto* const source = dynamic_cast<const PlySource*>(model.source.get());
   if (source != nullptr && isUntouched(*source, model))
-    return {{{outputName, whole(source->original).bytes}}, {}};
+    return {{{outputName, whole(source->original).bytes}}, {}, {}, true};
   std::vector<Part> parts = bakeInstances(model);
   const TriangleMesh mesh = source == nullptr ? mergeParts(parts) : std::move(parts[0].mesh);
   const bool isLikeSource = source != nullptr && !model.hasNewTexcoords;

@@ -73,7 +73,8 @@ struct ObjContent {
   CornerList corners;            // 3 per triangle
   std::vector<Index> groups;     // 1 per triangle
   std::size_t skippedElements = 0;
-  bool haveAllFour = true;  // corners, the faces so far
+  bool haveAllFour = true;   // corners, the faces so far
+  std::size_t polygons = 0;  // of more corners than three
 };
 
 class ObjReader {
@@ -194,6 +195,7 @@ void ObjReader::readFace() {
       for (Corner& corner : polygon_) corner.*field = kNone;
 
   content_.haveAllFour &= polygon_.size() == 4;
+  content_.polygons += polygon_.size() > 3 ? 1 : 0;
   const Index group = groupOf(polygon_[0]);
   if (polygon_.size() == 3) {
     for (const Corner& corner : polygon_) content_.corners.add(corner);
@@ -412,7 +414,9 @@ Model readObj(const File& file, const std::vector<File>& resources) {
   if (content.corners.size() == 0)
     throw Error(ErrorCode::NoTriangles, legible(file.name) + " has no faces.",
                 "Only surfaces can be remeshed, not points or lines.");
+  const std::size_t polygons = content.polygons;
   TriangleMesh mesh = meshOf(std::move(content), source->groups);
+  model.polygons = mesh.isQuads ? 0 : polygons;
   std::vector<GroupInfo> groups = groupInfos(mesh, *source);
   model.parts.push_back({file.name, std::move(mesh), {Transform::Identity()}, std::move(groups)});
   model.source = source;

@@ -53,6 +53,7 @@ class OffReader {
  public:
   OffReader(std::string_view text, const std::string& name) : scanner_(text, name) {}
   TriangleMesh read();
+  std::size_t polygons() const { return polygons_; }
   std::size_t coloredFaces() const { return coloredFaces_; }
   std::vector<Warning> warnings() const { return scanner_.warnings(); }
 
@@ -77,7 +78,8 @@ class OffReader {
   int dimension_ = 3;
   std::size_t faceCount_ = 0;
   std::size_t coloredFaces_ = 0;
-  bool haveAllFour_ = true;  // corners, the faces so far
+  bool haveAllFour_ = true;   // corners, the faces so far
+  std::size_t polygons_ = 0;  // of more corners than three
   std::vector<float> normals_;
   std::vector<float> colors_;  // 4 each
   std::vector<float> texcoords_;
@@ -244,6 +246,7 @@ void OffReader::readFace() {
     polygon_.push_back(static_cast<Index>(vertex));
   }
   haveAllFour_ &= corners == 4;
+  polygons_ += corners > 3 ? 1 : 0;
   if (!scanner_.atLineEnd()) ++coloredFaces_;
   while (!scanner_.atLineEnd()) scanner_.word();
   if (corners == 3) {
@@ -329,6 +332,7 @@ Model readOff(const File& file, const std::vector<File>&) {
   model.conventions = Conventions::Classic;
   TriangleMesh mesh = reader.read();
   model.warnings = reader.warnings();
+  model.polygons = mesh.isQuads ? 0 : reader.polygons();
   if (mesh.triangleCount() == 0)
     throw Error(ErrorCode::NoTriangles, legible(file.name) + " has no faces.",
                 "Only surfaces can be remeshed, not points.");

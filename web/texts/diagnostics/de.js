@@ -136,6 +136,8 @@ export default {
   'warning.PARTS_MERGED': 'Eine Datei dieses Formats ist ein einziger Körper: Teile und '
     + 'Materialien gehen darin auf.',
   'warning.PASSED_ON': 'Netze ohne Fläche wurden weitergegeben, wie sie sind.',
+  'warning.POLYGONS_CUT': 'Vielecke wurden in Dreiecke geteilt: nur Netze, die ganz aus Vierecken '
+    + 'bestehen, behalten sie.',
   'warning.QUADS_MADE_SYMMETRIC': 'Die Vierecke sind gespiegelt: die Seite mit mehr Fläche gilt.',
   'warning.QUADS_NUMBER_MISSED': 'Die Zahl der Punkte ist verfehlt: nähere Zahlen kosten '
     + 'unregelmäßige '

@@ -160,6 +160,8 @@ export default {
     + 'l’original ne se coupe pas.',
   'warning.SHAPE_LOST_TO_ROUNDING': 'Le modèle est plus petit que l’arrondi des nombres si loin '
     + 'de l’origine. Déplacez-le d’abord à l’origine.',
+  'warning.POLYGONS_CUT': 'Des polygones ont été coupés en triangles : seuls les maillages tout '
+    + 'en quads gardent les leurs.',
   'warning.QUADS_MADE_SYMMETRIC': 'Les quads sont symétriques : le côté qui a le plus de '
     + 'surface fait foi.',
   'warning.QUADS_NUMBER_MISSED': 'Le nombre de points est manqué : un nombre plus proche '
