@@ -32,7 +32,12 @@ CloseInspection withFaults(InspectedModel model) {
     return close;
   }
   try {
-    close.faults = withinMemory([&] { return faultsOf(model.parts); });
+    std::vector<Warning> meeting;
+    close.faults = withinMemory([&] {
+      meeting = warningsOfMeeting(model.parts);
+      return faultsOf(model.parts);
+    });
+    warnings.insert(warnings.end(), meeting.begin(), meeting.end());
   } catch (const Error& error) {
     if (error.code != ErrorCode::OutOfMemory) throw;
     warnings.push_back({"FAULTS_NOT_SOUGHT",

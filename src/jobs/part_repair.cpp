@@ -227,7 +227,7 @@ std::vector<Warning> warningsOfMeeting(const std::vector<io::Part>& parts) {
   const Index corner = merged.indices[3 * std::size_t{meeting.front()}];
   return inWords(
       {{{"PARTS_MEET",
-         "Triangles of parts intersect those of other parts: each part was repaired by itself. "
+         "Triangles of parts intersect those of other parts: repair mends each part by itself. "
          "In an .stl file all become one surface.",
          meeting.size()},
         merged.positions[corner]}},

@@ -24,7 +24,7 @@ struct PartsRepair {
 PartsRepair repairParts(std::vector<io::Part> parts, const RemeshOptions& options,
                         const Progress& progress);
 
-// PARTS_MEET, if triangles of parts intersect those of others: each part is repaired for itself.
+// PARTS_MEET, if triangles of parts intersect those of others, which no repair of a part mends.
 std::vector<Warning> warningsOfMeeting(const std::vector<io::Part>& parts);
 
 // Whether a surface is closed, a 2-manifold, passes through itself nowhere, and each triangle has

@@ -167,7 +167,7 @@ function faultsInWords(faults) {
     + `${openLoops.length > most ? ', …' : ''} of the diagonal`;
   return [
     `faults: ${counted(openLoops.length, 'open loop')}${loops}${firstOf(places.openLoops)}`,
-    `  triangles that intersect others ${selfIntersections}`
+    `  triangles that intersect others of their part ${selfIntersections}`
       + firstOf(places.selfIntersections),
     `  inner shells ${innerShells}${firstOf(places.innerShells)}`,
     `  bodies inside out ${insideOut}${firstOf(places.insideOut)}`,

@@ -174,6 +174,8 @@ TEST_CASE("part repair: parts that meet stay parts, which is said; in one solid 
   CHECK(parts.output->components == 2);
   CHECK(saysThatPartsMeet(parts));
   CHECK_FALSE(saysThatPartsMeet(repaired(5, "a.glb")));
+  CHECK(saysThatPartsMeet(inspectFileClosely(twoCubes(0.5)).report));
+  CHECK_FALSE(saysThatPartsMeet(inspectFileClosely(twoCubes(5)).report));
   CHECK(united.output->components == 1);
   CHECK_FALSE(saysThatPartsMeet(united));
   options.vertices = 400;

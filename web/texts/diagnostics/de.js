@@ -233,8 +233,8 @@ export default {
     + 'Farben daneben.',
   'warning.TEXTURES_PAINTED': 'Die Reparatur hat eine andere Fläche gemacht, daher wurden ihre '
     + 'Texturen neu gemalt.',
-  'warning.PARTS_MEET': 'Dreiecke von Teilen treffen solche anderer Teile: jedes wurde für sich '
-    + 'repariert, um Namen und Ort zu behalten. In einer STL-Datei werden alle eine Fläche.',
+  'warning.PARTS_MEET': 'Dreiecke von Teilen treffen solche anderer Teile: Reparatur bessert '
+    + 'jedes für sich, um Namen und Ort zu behalten. In einer STL-Datei werden alle eine Fläche.',
   'warning.SHEETS_DROPPED': 'Blätter, die nichts umschließen, wurden weggelassen.',
   'warning.BODIES_ALMOST_TOUCH': 'Körper berühren sich fast: ihre Flächen sind ein wenig '
     + 'voneinander entfernt und bleiben es.',

@@ -230,9 +230,9 @@ export default {
     + 'prennent les couleurs voisines.',
   'warning.TEXTURES_PAINTED': 'La réparation a fait une autre surface, ses textures ont donc été '
     + 'repeintes.',
-  'warning.PARTS_MEET': 'Des triangles de parties en rencontrent d’autres : chaque partie a été '
-    + 'réparée pour elle-même, pour garder son nom et sa place. Dans un fichier STL toutes font '
-    + 'une seule surface.',
+  'warning.PARTS_MEET': 'Des triangles de parties en rencontrent d’autres : la réparation '
+    + 'traite chaque partie pour elle-même, pour garder son nom et sa place. Dans un fichier '
+    + 'STL toutes font une seule surface.',
   'warning.SHEETS_DROPPED': 'Des feuilles, qui n’enferment rien, ont été omises.',
   'warning.BODIES_ALMOST_TOUCH': 'Des corps se touchent presque : leurs faces sont un peu '
     + 'écartées, et le restent.',
