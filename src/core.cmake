@@ -104,6 +104,7 @@ set(small
   src/geometry/extent.cpp
   src/geometry/mesh_tree.cpp
   src/geometry/piecewise.cpp
+  src/geometry/polygon.cpp
   src/geometry/quad_facing.cpp
   src/io/contents.cpp
   src/io/formats.cpp
@@ -136,7 +137,6 @@ set(small
   src/io/model/dropped.cpp
   src/io/model/levels.cpp
   src/io/model/near_origin.cpp
-  src/io/model/polygon.cpp
   src/io/model/resources.cpp
   src/io/model/same_mesh.cpp
   src/io/model/units.cpp

@@ -24,6 +24,7 @@ add_executable(unit_tests
   tests/unit/geometry/mesh_tree_test.cpp
   tests/unit/geometry/piecewise_test.cpp
   tests/unit/geometry/polar_map_test.cpp
+  tests/unit/geometry/polygon_test.cpp
   tests/unit/geometry/predicates_test.cpp
   tests/unit/geometry/quad_facing_test.cpp
   tests/unit/geometry/quad_test.cpp
@@ -33,6 +34,7 @@ add_executable(unit_tests
   tests/unit/geometry/triangle_test.cpp
   tests/unit/geometry/triangle_tree_test.cpp
   tests/unit/io/contents_test.cpp
+  tests/unit/io/formats_test.cpp
   tests/unit/io/gltf/gltf_encoder_test.cpp
   tests/unit/io/gltf/gltf_errors_test.cpp
   tests/unit/io/gltf/gltf_reader_test.cpp
@@ -46,7 +48,6 @@ add_executable(unit_tests
   tests/unit/io/model/companions_test.cpp
   tests/unit/io/model/conventions_test.cpp
   tests/unit/io/model/near_origin_test.cpp
-  tests/unit/io/model/polygon_test.cpp
   tests/unit/io/model/resources_test.cpp
   tests/unit/io/model/wedges_test.cpp
   tests/unit/io/named/abaqus_test.cpp

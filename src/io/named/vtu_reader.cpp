@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "base/legible.h"
-#include "io/model/polygon.h"
+#include "geometry/polygon.h"
 #include "io/model/resources.h"
 #include "io/named/named_faces.h"
 #include "io/named/vtu.h"

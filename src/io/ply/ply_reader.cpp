@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/legible.h"
-#include "io/model/polygon.h"
+#include "geometry/polygon.h"
 #include "io/ply/corner_texcoords.h"
 #include "io/ply/ply.h"
 #include "io/ply/ply_body.h"

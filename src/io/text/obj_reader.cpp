@@ -11,9 +11,9 @@
 #include <utility>
 
 #include "base/legible.h"
+#include "geometry/polygon.h"
 #include "io/model/byte_reader.h"
 #include "io/model/conventions.h"
-#include "io/model/polygon.h"
 #include "io/model/resources.h"
 #include "io/model/wedges.h"
 #include "io/text/mtl.h"

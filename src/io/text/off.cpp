@@ -9,11 +9,11 @@
 #include <utility>
 
 #include "base/legible.h"
+#include "geometry/polygon.h"
 #include "io/model/bake.h"
 #include "io/model/conventions.h"
 #include "io/model/dropped.h"
 #include "io/model/faces.h"
-#include "io/model/polygon.h"
 #include "io/text/text_scanner.h"
 #include "io/text/text_writer.h"
 

@@ -20,12 +20,17 @@ namespace remesher {
 
 namespace {
 
+enum class Shape { Planar, Smooth, Flat, Bare };
+using Shapes = std::array<Shape, 3>;
+
 // A disk's shapes, the best first.
-enum class Shape { Smooth, Flat, Bare };
-constexpr std::array kShapes = {Shape::Smooth, Shape::Flat, Shape::Bare};
+Shapes shapesOf(const BuiltMesh& built, const Loop& loop) {
+  if (looksCutOff(built, loop)) return {Shape::Planar, Shape::Smooth, Shape::Bare};
+  return {Shape::Smooth, Shape::Flat, Shape::Bare};
+}
 
 Plug plugOf(const BuiltMesh& built, const Loop& loop, Shape shape) {
-  Plug plug = triangulated(built, loop);
+  Plug plug = shape == Shape::Planar ? triangulatedInPlane(built, loop) : triangulated(built, loop);
   if (shape != Shape::Bare) refine(plug, built, loop);
   if (shape == Shape::Smooth) fair(plug, built, loop);
   return plug;
@@ -56,9 +61,10 @@ TriangleMesh meshOf(const KeptSurface& kept, const std::vector<Face>& faces) {
 // A loop being closed. meetings: per shape tried, how many of its triangles intersect others.
 struct Closing {
   Loop loop;
+  Shapes shapes;
   std::size_t shape = 0;
   Plug plug = {};
-  std::array<std::size_t, kShapes.size()> meetings = {};
+  std::array<std::size_t, std::tuple_size_v<Shapes>> meetings = {};
 };
 
 class Closer {
@@ -66,19 +72,22 @@ class Closer {
   // without: the surface without disks.
   Closer(const KeptSurface& kept, TriangleMesh without, std::vector<Loop> loops)
       : kept_(kept), without_(std::move(without)) {
-    for (Loop& loop : loops) closings_.push_back({std::move(loop)});
+    for (Loop& loop : loops) {
+      const Shapes shapes = shapesOf(kept.built, loop);
+      closings_.push_back({std::move(loop), shapes});
+    }
     for (Closing& closing : closings_) choose(closing, 0);
   }
 
   TriangleMesh run() {
-    for (std::size_t round = 0; round < kShapes.size() && retry(); ++round) continue;
+    for (std::size_t round = 0; round < std::tuple_size_v<Shapes> && retry(); ++round) continue;
     return assembled();
   }
 
  private:
   void choose(Closing& closing, std::size_t shape) {
     closing.shape = shape;
-    closing.plug = plugOf(kept_.built, closing.loop, kShapes[shape]);
+    closing.plug = plugOf(kept_.built, closing.loop, closing.shapes[shape]);
     if (!without_.isSingle) return;
     for (std::size_t v = closing.loop.vertices.size(); v < closing.plug.points.size(); ++v)
       closing.plug.points[v] = inSingle(closing.plug.points[v], without_.frame);
@@ -104,7 +113,7 @@ class Closer {
       for (; hit < hits.size() && hits[hit] < end; ++hit) ++count;
       closing.meetings[closing.shape] = count;
       if (count == 0) continue;
-      if (closing.shape + 1 < kShapes.size()) {
+      if (closing.shape + 1 < closing.shapes.size()) {
         choose(closing, closing.shape + 1), isAny = true;
         continue;
       }

@@ -7,6 +7,7 @@
 
 #include "base/fires.h"
 #include "base/versioned_queue.h"
+#include "geometry/polygon.h"
 #include "geometry/triangle.h"
 
 namespace remesher {
@@ -237,11 +238,29 @@ void joinToMiddle(const Polygon& polygon, Plug& plug) {
     plug.triangles.push_back({polygon.vertices[i], polygon.vertices[(i + 1) % n], middle});
 }
 
+// Whether two of the plug's vertices that do not follow each other are joined on the surface, too.
+bool repeatsEdges(const HalfedgeMesh& mesh, const Loop& loop, const Plug& plug) {
+  const Index n = Index(loop.vertices.size());
+  const auto isRepeated = [&](Index i, Index k) {
+    if ((i + 1) % n == k || (k + 1) % n == i) return false;
+    return mesh.adjacent(loop.vertices[i], loop.vertices[k]);
+  };
+  return std::any_of(plug.triangles.begin(), plug.triangles.end(), [&](const Corners3& t) {
+    return isRepeated(t[0], t[1]) || isRepeated(t[1], t[2]) || isRepeated(t[2], t[0]);
+  });
+}
+
+// Without triangles.
+Plug emptyPlug(const BuiltMesh& built, const Loop& loop) {
+  Plug plug;
+  for (const Vertex v : loop.vertices) plug.points.push_back(built.positions[v]);
+  return plug;
+}
+
 }  // namespace
 
 Plug triangulated(const BuiltMesh& built, const Loop& loop) {
-  Plug plug;
-  for (const Vertex v : loop.vertices) plug.points.push_back(built.positions[v]);
+  Plug plug = emptyPlug(built, loop);
   const Polygon polygon = Ears(built, loop, plug).cut(kMostByTables);
   if (polygon.vertices.size() <= kMostByTables && !isTriangle(built.mesh, loop, polygon)) {
     const std::vector<char> taken = takenChords(built.mesh, loop, plug, polygon);
@@ -255,6 +274,12 @@ Plug triangulated(const BuiltMesh& built, const Loop& loop) {
   }
   joinToMiddle(polygon, plug);
   return plug;
+}
+
+Plug triangulatedInPlane(const BuiltMesh& built, const Loop& loop) {
+  Plug plug = emptyPlug(built, loop);
+  plug.triangles = triangulateEvenly(plug.points);
+  return repeatsEdges(built.mesh, loop, plug) ? triangulated(built, loop) : plug;
 }
 
 }  // namespace remesher

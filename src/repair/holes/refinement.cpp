@@ -29,6 +29,7 @@ class PlugMesh {
   }
 
   void run() {
+    if (twins_.empty()) return;  // a vertex has too many edges
     relax();
     int round = 0;
     for (; round < kMostRounds && insertAll(); ++round) relax();

@@ -34,6 +34,18 @@ class Rim {
     return isRound() || isStraight();
   }
 
+  // Few vertices may lie in a plane by chance.
+  bool isCutOff() const {
+    constexpr std::size_t kMany = 12;
+    constexpr double kWall = 30;
+    if (!isPlanar() || !(turns_.size() >= kMany || isMeant())) return false;
+    std::vector<double> slopes = sortedSlopes();
+    for (double& slope : slopes) slope = std::abs(slope);
+    const auto middle = slopes.begin() + std::ptrdiff_t(slopes.size() / 2);
+    std::nth_element(slopes.begin(), middle, slopes.end());
+    return *middle >= kWall;
+  }
+
  private:
   struct Turn {
     std::size_t vertex;
@@ -65,6 +77,11 @@ class Rim {
 
   double depth() const { return place_.across > 0 ? depth_ / place_.across : 1; }
 
+  bool isPlanar() const {
+    constexpr double kFlattest = 0.005;
+    return !normal_.isZero(0) && depth() <= kFlattest;
+  }
+
   // Convex and smooth. Of few edges only a regular polygon is round: the star of a vertex that is
   // missing has some five to eight.
   bool isRound() const {
@@ -90,9 +107,9 @@ class Rim {
   // In a plane, of long sides, where walls end in the same way all around; or a polygon of equal
   // angles cut out of a plane.
   bool isStraight() const {
-    constexpr double kFlattest = 0.005, kCorner = 40;
+    constexpr double kCorner = 40;
     constexpr std::size_t kMostCorners = 8;
-    if (depth() > kFlattest) return false;
+    if (!isPlanar()) return false;
     const auto corners = std::size_t(std::count_if(
         turns_.begin(), turns_.end(), [](const Turn& t) { return std::abs(t.angle) > kCorner; }));
     if (corners > std::max(kMostCorners, turns_.size() / 4)) return false;
@@ -191,5 +208,7 @@ SizedPlace placeOf(const BuiltMesh& built, const Loop& loop) {
 }
 
 bool looksMeant(const BuiltMesh& built, const Loop& loop) { return Rim(built, loop).isMeant(); }
+
+bool looksCutOff(const BuiltMesh& built, const Loop& loop) { return Rim(built, loop).isCutOff(); }
 
 }  // namespace remesher

@@ -11,6 +11,11 @@ namespace remesher {
 
 bool looksMeant(const BuiltMesh& built, const Loop& loop);
 
+// Whether the loop lies in a plane in which walls end, as where a tube or a bust is cut off: its
+// disk is flat. Where the surface is nearly tangent to the plane, as at a missing patch of a
+// sphere, it goes on beyond.
+bool looksCutOff(const BuiltMesh& built, const Loop& loop);
+
 // The middle of the loop by length, and twice the largest distance from there.
 SizedPlace placeOf(const BuiltMesh& built, const Loop& loop);
 

@@ -4,7 +4,11 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
+#include <numbers>
+#include <utility>
 
 #include "base/error.h"
 #include "measure/mesh_report.h"
@@ -61,6 +65,37 @@ double farthestFromSphere(const TriangleMesh& before, const TriangleMesh& after)
   return farthest;
 }
 
+// A ball of 48 columns that begins so many degrees above its lowest point.
+TriangleMesh ballFrom(double degrees) {
+  constexpr double kRadian = std::numbers::pi / 180;
+  TriangleMesh ball;
+  shapes::addSheet(ball, 48, 24, [&](int k, int row) {
+    const double angle = row == 24 ? 180 : degrees + (180 - degrees) * row / 24;
+    return Vec3(std::sin(angle * kRadian) * shapes::onCircle(k, 48) -
+                Vec3(0, 0, std::cos(angle * kRadian)));
+  });
+  return ball;
+}
+
+std::pair<double, double> heights(const TriangleMesh& mesh) {
+  std::pair<double, double> range = {kInfinity, -kInfinity};
+  for (const Vec3& p : mesh.positions)
+    range = {std::min(range.first, p.z()), std::max(range.second, p.z())};
+  return range;
+}
+
+// A wall over a curve around the z axis.
+TriangleMesh wall(int n, int rows, const std::function<Vec3(int, double)>& at) {
+  TriangleMesh mesh;
+  shapes::addSheet(mesh, n, rows, [&](int k, int row) { return at(k, double(row) / rows); });
+  return mesh;
+}
+
+Vec3 around(int k, int n, double waves) {
+  const double angle = 2 * std::numbers::pi * (k % n) / n;
+  return (1 + 0.6 * std::sin(waves * angle)) * shapes::onCircle(k, n);
+}
+
 }  // namespace
 
 TEST_CASE("close_holes: a sphere without a cap is a sphere again, the rest bit for bit") {
@@ -75,6 +110,50 @@ TEST_CASE("close_holes: a sphere without a cap is a sphere again, the rest bit f
   CHECK(selfIntersections(closed.mesh).empty());
   // A flat plug would be off by 1 - height at its middle.
   CHECK(farthestFromSphere(open, closed.mesh) < (1 - height) / 5);
+}
+
+TEST_CASE("close_holes: walls that end in a plane end in it when they are closed") {
+  const TriangleMesh tube = wall(
+      48, 12, [](int k, double up) { return Vec3(shapes::onCircle(k, 48) + Vec3(0, 0, 3 * up)); });
+  TriangleMesh jar = wall(40, 8, [](int k, double up) {
+    return Vec3((1 - 0.3 * up) * shapes::onCircle(k, 40) + Vec3(0, 0, 1.2 * up));
+  });
+  for (int k = 0; k < 40; ++k)
+    shapes::addTriangle(jar, shapes::addVertex(jar, {0, 0, 0}), Index(k + 1), Index(k));
+  // More vertices than tables take, and far from convex.
+  const TriangleMesh star =
+      wall(600, 3, [](int k, double up) { return Vec3(around(k, 600, 7) + Vec3(0, 0, 0.1 * up)); });
+  const TriangleMesh box = without(shapes::cube(1), [](const Vec3& p) { return p.z() == 1; });
+  const std::array<std::size_t, 5> loops = {2, 1, 2, 1, 1};
+  std::size_t i = 0;
+  for (const TriangleMesh& open : {tube, jar, star, box, ballFrom(36)}) {
+    CAPTURE(i);
+    const ClosedHoles closed = closeHoles(open);
+    CHECK(closed.holes == loops[i++]);
+    CHECK(isClosedManifold(closed.mesh));
+    CHECK(selfIntersections(closed.mesh).empty());
+    const auto [least, most] = heights(open);
+    const auto [low, high] = heights(closed.mesh);
+    CHECK(low == doctest::Approx(least).epsilon(1e-12));
+    CHECK(high == doctest::Approx(most).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("close_holes: a planar loop in a smooth surface is closed smoothly") {
+  const TriangleMesh open = ballFrom(20);
+  const ClosedHoles closed = closeHoles(open);
+  CHECK(closed.holes == 1);
+  CHECK(farthestFromSphere(open, closed.mesh) < (1 - std::cos(std::numbers::pi / 9)) / 5);
+}
+
+TEST_CASE("close_holes: of two shells that end in one plane both are closed, without meeting") {
+  const TriangleMesh outer =
+      wall(32, 6, [](int k, double up) { return Vec3(shapes::onCircle(k, 32) + Vec3(0, 0, up)); });
+  TriangleMesh inner = shapes::turnedOver(outer);
+  for (Vec3& p : inner.positions) p.x() *= 0.8, p.y() *= 0.8;
+  const ClosedHoles closed = closeHoles(soups::joined({outer, inner}));
+  CHECK(closed.holes == 4);
+  CHECK(selfIntersections(closed.mesh).empty());
 }
 
 TEST_CASE("close_holes: each loop gets a disk, so that each adds one to the Euler characteristic") {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "io/model/polygon.h"
+#include "geometry/polygon.h"
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 #include <utility>
 
-namespace remesher::io {
+namespace remesher {
 namespace {
 
 using Triangles = std::vector<std::array<Index, 3>>;
@@ -60,7 +60,9 @@ bool isStrictlyConvex(const std::vector<Vec2>& points) {
 // Beyond kMostTests all remaining corners are cut off this way.
 class EarCutter {
  public:
-  explicit EarCutter(const std::vector<Vec2>& points);
+  enum class Next { First, AllAround };
+
+  EarCutter(const std::vector<Vec2>& points, Next wanted);
   Triangles cut();
 
  private:
@@ -73,7 +75,10 @@ class EarCutter {
   void judge(Index corner);
   void forget(Index corner);
 
+  Index nextEar();
+
   const std::vector<Vec2>& points_;
+  const Next wanted_;
   std::vector<Index> previous_;
   std::vector<Index> next_;
   std::vector<double> turns_;
@@ -81,10 +86,15 @@ class EarCutter {
   std::set<Index> ears_;
   std::set<std::pair<double, Index>> widest_;  // by the turn, leftmost first
   std::size_t tests_ = 0;
+  Index from_ = 0;  // ears before it come later
 };
 
-EarCutter::EarCutter(const std::vector<Vec2>& points)
-    : points_(points), previous_(points.size()), next_(points.size()), turns_(points.size()) {
+EarCutter::EarCutter(const std::vector<Vec2>& points, Next wanted)
+    : points_(points),
+      wanted_(wanted),
+      previous_(points.size()),
+      next_(points.size()),
+      turns_(points.size()) {
   const auto n = static_cast<Index>(points.size());
   for (Index i = 0; i < n; ++i) {
     previous_[i] = (i + n - 1) % n;
@@ -123,10 +133,16 @@ void EarCutter::forget(Index corner) {
   ears_.erase(corner);
 }
 
+Index EarCutter::nextEar() {
+  if (ears_.empty()) return widest_.begin()->second;
+  const auto next = ears_.lower_bound(from_);
+  return next == ears_.end() ? *ears_.begin() : *next;
+}
+
 Triangles EarCutter::cut() {
   Triangles triangles;
   while (triangles.size() + 2 < points_.size()) {
-    const Index corner = ears_.empty() ? widest_.begin()->second : *ears_.begin();
+    const Index corner = nextEar();
     const Index before = previous_[corner];
     const Index after = next_[corner];
     triangles.push_back({before, corner, after});
@@ -136,6 +152,7 @@ Triangles EarCutter::cut() {
     previous_[after] = before;
     judge(before);
     judge(after);
+    if (wanted_ == Next::AllAround) from_ = after + 1;
   }
   return triangles;
 }
@@ -151,7 +168,14 @@ Triangles fan(std::size_t corners) {
 std::vector<std::array<Index, 3>> triangulate(std::span<const Vec3> polygon) {
   if (polygon.size() <= 3) return fan(polygon.size());
   const std::vector<Vec2> points = flattened(polygon);
-  return isStrictlyConvex(points) ? fan(polygon.size()) : EarCutter(points).cut();
+  return isStrictlyConvex(points) ? fan(polygon.size())
+                                  : EarCutter(points, EarCutter::Next::First).cut();
 }
 
-}  // namespace remesher::io
+std::vector<std::array<Index, 3>> triangulateEvenly(std::span<const Vec3> polygon) {
+  if (polygon.size() <= 3) return fan(polygon.size());
+  const std::vector<Vec2> points = flattened(polygon);
+  return EarCutter(points, EarCutter::Next::AllAround).cut();
+}
+
+}  // namespace remesher

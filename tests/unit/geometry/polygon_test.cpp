@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "io/model/polygon.h"
+#include "geometry/polygon.h"
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
-#include <string>
-
-#include "io/files.h"
-#include "remesher.h"
+#include <numbers>
+#include <vector>
 
 using namespace remesher;
 
@@ -23,23 +22,24 @@ Vec3 areaOf(const std::vector<Vec3>& polygon) {
 
 // Triangles that cover a simple polygon exactly: their areas add up without a fold.
 void checkCovers(const std::vector<Vec3>& polygon) {
-  const auto triangles = io::triangulate(polygon);
-  CHECK(triangles.size() == polygon.size() - 2);
   const Vec3 whole = areaOf(polygon);
-  double sum = 0;
-  for (const auto& [a, b, c] : triangles) {
-    const Vec3 area = (polygon[b] - polygon[a]).cross(polygon[c] - polygon[a]);
-    CHECK(area.dot(whole) >= 0);
-    sum += area.norm();
+  for (const auto& triangles : {triangulate(polygon), triangulateEvenly(polygon)}) {
+    CHECK(triangles.size() == polygon.size() - 2);
+    double sum = 0;
+    for (const auto& [a, b, c] : triangles) {
+      const Vec3 area = (polygon[b] - polygon[a]).cross(polygon[c] - polygon[a]);
+      CHECK(area.dot(whole) >= 0);
+      sum += area.norm();
+    }
+    CHECK(sum == doctest::Approx(whole.norm()));
   }
-  CHECK(sum == doctest::Approx(whole.norm()));
 }
 
 }  // namespace
 
 TEST_CASE("polygon: a convex polygon becomes a fan of its first corner") {
   const std::vector<Vec3> square = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-  const auto triangles = io::triangulate(square);
+  const auto triangles = triangulate(square);
   REQUIRE(triangles.size() == 2);
   CHECK(triangles[0] == std::array<Index, 3>{0, 1, 2});
   CHECK(triangles[1] == std::array<Index, 3>{0, 2, 3});
@@ -62,15 +62,28 @@ TEST_CASE("polygon: concave polygons are covered without folds, whichever corner
 
 TEST_CASE("polygon: corners in a straight line make no flat triangle") {
   const std::vector<Vec3> house = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}};
-  for (const auto& [a, b, c] : io::triangulate(house))
+  for (const auto& [a, b, c] : triangulate(house))
     CHECK((house[b] - house[a]).cross(house[c] - house[a]).norm() > 0);
+}
+
+TEST_CASE("polygon: cut evenly, a corner of a circle has few triangles") {
+  constexpr std::size_t kCount = 1000;
+  std::vector<Vec3> circle;
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const double angle = 2 * std::numbers::pi * double(i) / double(kCount);
+    circle.emplace_back(std::cos(angle), std::sin(angle), 0);
+  }
+  std::vector<int> counts(kCount, 0);
+  for (const auto& t : triangulateEvenly(circle))
+    for (const Index corner : t) ++counts[corner];
+  CHECK(*std::max_element(counts.begin(), counts.end()) < 32);
 }
 
 TEST_CASE("polygon: collapsed polygons still give n - 2 triangles") {
   const std::vector<Vec3> needle = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 0, 0}};
-  CHECK(io::triangulate(needle).size() == 2);
-  CHECK(io::triangulate(std::vector<Vec3>(2)).empty());
-  CHECK(io::triangulate({}).empty());
+  CHECK(triangulate(needle).size() == 2);
+  CHECK(triangulate(std::vector<Vec3>(2)).empty());
+  CHECK(triangulate({}).empty());
 }
 
 TEST_CASE("polygon: a star of a thousand points is cut without folds") {
@@ -85,40 +98,15 @@ TEST_CASE("polygon: a star of a thousand points is cut without folds") {
 TEST_CASE("polygon: a thousand corners at few places come to an end") {
   std::vector<Vec3> tangle;
   for (int i = 0; i < 1000; ++i) tangle.emplace_back(i * i % 7, i % 5, i % 3);
-  CHECK(io::triangulate(tangle).size() == 998);
+  CHECK(triangulate(tangle).size() == 998);
 }
 
 TEST_CASE("polygon: the size of a polygon does not matter, from the least number to the largest") {
   const std::vector<Vec3> arrow = {{0, 0, 0}, {1, 0.5, 0}, {0, 1, 0}, {0.25, 0.5, 0}};
-  const auto expected = io::triangulate(arrow);
+  const auto expected = triangulate(arrow);
   for (const double size : {1e-300, 1e-150, 1e150, 1.7e308}) {
     std::vector<Vec3> scaled;
     for (const Vec3& p : arrow) scaled.push_back(size * (2 * p - Vec3(1, 1, 0)));
-    CHECK(io::triangulate(scaled) == expected);
+    CHECK(triangulate(scaled) == expected);
   }
-}
-
-TEST_CASE("polygon: converting counts the polygons that become triangles, if they might stay") {
-  const std::string points = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 0 0\n2 1 0\n";
-  const std::string off = "OFF\n6 2 0\n" + points;
-  const std::string ply =
-      "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\n"
-      "property float z\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n" +
-      points;
-  const std::string obj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\n";
-  const auto cut = [](const std::string& name, const std::string& text, const std::string& output) {
-    std::size_t count = 0;
-    for (const Warning& warning : convertFile({test::textFile(name, text), {}}, output).warnings)
-      if (warning.code == "POLYGONS_CUT") count += warning.count;
-    return count;
-  };
-  const std::string mixed = "4 0 1 2 3\n3 1 4 2\n", quads = "4 0 1 2 3\n4 1 4 5 2\n";
-  for (const std::string output : {"a.obj", "a.off", "a.glb", "a.msh"}) {
-    CHECK(cut("a.off", off + mixed, output) == 1);
-    CHECK(cut("a.ply", ply + mixed, output) == 1);
-    CHECK(cut("a.obj", obj + "f 1 2 3 4\nf 2 5 3\n", output) == 1);
-    CHECK(cut("a.off", off + quads, output) == 0);
-  }
-  CHECK(cut("a.ply", ply + mixed, "a.ply") == 0);
-  CHECK(cut("a.off", off + mixed, "a.stl") == 0);
 }

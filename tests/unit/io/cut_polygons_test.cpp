@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "io/formats.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "io/files.h"
+#include "remesher.h"
+
+using namespace remesher;
+using namespace remesher::test;
+
+TEST_CASE("formats: converting counts the polygons that become triangles, if they might stay") {
+  const std::string points = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 0 0\n2 1 0\n";
+  const std::string off = "OFF\n6 2 0\n" + points;
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n" +
+      points;
+  const std::string obj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\n";
+  const auto cut = [](const std::string& name, const std::string& text, const std::string& output) {
+    std::size_t count = 0;
+    for (const Warning& warning : convertFile({textFile(name, text), {}}, output).warnings)
+      if (warning.code == "POLYGONS_CUT") count += warning.count;
+    return count;
+  };
+  const std::string mixed = "4 0 1 2 3\n3 1 4 2\n", quads = "4 0 1 2 3\n4 1 4 5 2\n";
+  for (const std::string output : {"a.obj", "a.off", "a.glb", "a.msh"}) {
+    CHECK(cut("a.off", off + mixed, output) == 1);
+    CHECK(cut("a.ply", ply + mixed, output) == 1);
+    CHECK(cut("a.obj", obj + "f 1 2 3 4\nf 2 5 3\n", output) == 1);
+    CHECK(cut("a.off", off + quads, output) == 0);
+  }
+  CHECK(cut("a.ply", ply + mixed, "a.ply") == 0);
+  CHECK(cut("a.off", off + mixed, "a.stl") == 0);
+}
