@@ -155,7 +155,8 @@ const needsInWords = ({ bytes, seconds }) => `; it takes about ${Math.ceil(bytes
 /** @param {import('../base/messages.js').FaultSummary} faults */
 function cureInWords({ repair, openLoops }) {
   return repair === 'off' && openLoops.length > 0 ? 'nothing is to be repaired: sheets enclose '
-    + 'nothing; --repair wrap makes them thin solids, --thickness bodies' : cures[repair];
+    + 'nothing; --repair wrap makes them thin solids, --thickness bodies, --base reliefs that stand'
+    : cures[repair];
 }
 
 /** @param {import('../base/messages.js').FaultSummary} faults */
