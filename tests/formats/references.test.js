@@ -100,9 +100,9 @@ test('identifiers in a texture stay with its coordinates, and go with them', asy
   const { EXT_mesh_features: { featureIds } } = kept.tree.meshes[0].primitives[0].extensions;
   assert.equal(featureIds[0].texture.index, 0);
   assert.ok(!kept.codes.includes('EXTENSION_NOT_CARRIED'));
-  const baked = await bake(file);
-  assert.equal(baked.tree.meshes[0].primitives[0].extensions, undefined);
-  assert.ok(baked.codes.includes('EXTENSION_NOT_CARRIED'));
+  const made = await bake(file);
+  assert.equal(made.tree.meshes[0].primitives[0].extensions, undefined);
+  assert.ok(made.codes.includes('EXTENSION_NOT_CARRIED'));
 });
 
 test('animations of materials follow these, or go', async () => {

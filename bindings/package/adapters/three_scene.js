@@ -79,7 +79,8 @@ function affine({ elements }) {
   return elements.map((value, i) => (i % 4 === 3 ? Number(i === 15) : value));
 }
 
-/** Where the first bone carries a skinned mesh at rest; usually all agree. @param {SkinnedMesh} mesh */
+/** Where the first bone carries a skinned mesh at rest; usually all agree.
+ * @param {SkinnedMesh} mesh */
 function skinnedPlace(mesh) {
   const { bones: [bone], boneInverses: [inverse] } = mesh.skeleton;
   if (!bone || !inverse) return mesh.matrixWorld;

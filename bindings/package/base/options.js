@@ -200,8 +200,8 @@ export const optionTable = [
       + 'or leaves them out' },
   { name: 'keepRims', flag: '--keep-rims', type: 'boolean', default: false,
     needs: [{ repair: ['holes', 'auto'] }],
-    help: 'openings that look intended stay open: round ones, and straight ones at which walls end; '
-      + 'with holes small open pieces stay, too' },
+    help: 'openings that look intended stay open: round ones, and straight ones at which walls '
+      + 'end; with holes small open pieces stay, too' },
   { name: 'thickness', flag: '--thickness T', type: 'number', above: 0, unit: 'model units',
     needs: [{ repair: ['auto'] }],
     help: 'sheets become bodies that are so thick, half of it on each side' },

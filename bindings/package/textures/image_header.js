@@ -80,6 +80,8 @@ export function imageHeader(bytes) {
   if (says(bytes, 0, 'RIFF') && says(bytes, 8, 'WEBP')) {
     return { type: 'image/webp', ...webpSize(view, bytes) };
   }
-  if (bytes[0] === 0xab && says(bytes, 1, 'KTX 20')) return { type: 'image/ktx2', ...ktx2Size(view) };
+  if (bytes[0] === 0xab && says(bytes, 1, 'KTX 20')) {
+    return { type: 'image/ktx2', ...ktx2Size(view) };
+  }
   return undefined;
 }

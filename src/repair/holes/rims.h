@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Which open loops look intended, such as a vase's mouth, mounting holes or the sides of a box without
-// a lid: round ones, and straight ones at which walls end. What scanning or cutting has torn is
-// ragged, or a cell that lacks its triangles.
+// Which open loops look intended, such as a vase's mouth, mounting holes or the sides of a box
+// without a lid: round ones, and straight ones at which walls end. What scanning or cutting has
+// torn is ragged, or a cell that lacks its triangles.
 #pragma once
 
 #include "base/report.h"
