@@ -12,22 +12,32 @@ Cache.enabled = false;  // different files may have the same name
 /** @param {Uint8Array} bytes */
 const blobUrl = (bytes) => URL.createObjectURL(new Blob([/** @type {BlobPart} */ (bytes)]));
 
-/** Decodes KTX2 textures to texels, which every graphics card shows.
- * @param {LoadingManager} manager */
+/** Decodes a KTX2 texture to texels, which every graphics card shows.
+ * @param {ArrayBuffer} buffer @returns {Promise<DataTexture>} */
+async function decoded(buffer) {
+  const worker = new Worker(new URL('./ktx_worker.js', import.meta.url), { type: 'module' });
+  try {
+    const { data, width, height } = await new Promise((resolve, reject) => {
+      worker.onmessage = ({ data: { answer, error } }) =>
+        (error ? reject(new Error(error)) : resolve(answer));
+      worker.onerror = ({ message }) => reject(new Error(message));
+      worker.postMessage(buffer, [buffer]);
+    });
+    const texture = new DataTexture(data, width, height);
+    texture.needsUpdate = true;
+    return texture;
+  } finally {
+    worker.terminate();
+  }
+}
+
+/** @param {LoadingManager} manager */
 const ktx2Loader = (manager) => ({
   /** @param {string} url @param {(texture: DataTexture) => void} onLoad @param {unknown} _
    * @param {(error: unknown) => void} onError */
   load(url, onLoad, _, onError) {
-    const texture = async () => {
-      const files = new FileLoader(manager).setResponseType('arraybuffer');
-      const [{ decodeKtx2 }, bytes] = await Promise.all(
-        [import('remesher/ktx2'), files.loadAsync(url)]);
-      const { data, width, height } = await decodeKtx2(/** @type {ArrayBuffer} */ (bytes));
-      const made = new DataTexture(data, width, height);
-      made.needsUpdate = true;
-      return made;
-    };
-    texture().then(onLoad, onError);
+    new FileLoader(manager).setResponseType('arraybuffer').loadAsync(url)
+      .then((bytes) => decoded(/** @type {ArrayBuffer} */ (bytes))).then(onLoad, onError);
   },
 });
 

@@ -156,7 +156,7 @@ Warning jointsReleased(const TriangleMesh& input, const RemeshOptions& options, 
                   "no longer meet: to keep them ") +
           (options.quads ? "would make quads irregular."
            : !input.attributes.empty()
-               ? "leaves no isotropic triangles where vertices have attributes."
+               ? "would leave no isotropic triangles where vertices have attributes."
                : "takes more vertices than were asked for."),
       count};
 }

@@ -4,10 +4,14 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
+import { decode } from 'fast-png';
 import { SphereGeometry } from 'three';
 
 import { drop, opened, reportRow, settled, visit } from '../../support/browser_page.js';
+import { GltfMaker } from '../../support/gltf.js';
+import { ktx2 } from '../../support/ktx2.js';
 import { objText, torus } from '../../support/shape_files.js';
+import { torus as torusMesh } from '../../support/shapes.js';
 
 const { page, complaints } = await visit(
   { hash: '#model=gear&vertices=600', viewport: { width: 800, height: 480 } });
@@ -283,4 +287,30 @@ test('a cut shows what is inside, as deep as it goes', async () => {
   }
   assert.ok(again === whole, 'without a cut all is as it was');
   assert.deepEqual(complaints, []);
+});
+
+test('a KTX2 texture is shown', async () => {
+  const { positions, indices } = torusMesh({ columns: 24, rows: 12 });
+  const maker = new GltfMaker();
+  Object.assign(maker.tree, {
+    images: [{ bufferView: maker.addView(ktx2(4, 4, () => [250, 20, 20])),
+      mimeType: 'image/ktx2' }],
+    textures: [{ extensions: { KHR_texture_basisu: { source: 0 } } }],
+    materials: [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 }, metallicFactor: 0 } }],
+    extensionsUsed: ['KHR_texture_basisu'],
+    extensionsRequired: ['KHR_texture_basisu'],
+  });
+  maker.show([{ material: 0, indices: maker.addIndices(Uint16Array.from(indices)),
+    attributes: { POSITION: maker.add(Float32Array.from(positions), 'VEC3'),
+      TEXCOORD_0: maker.add(new Float32Array(2 * positions.length / 3), 'VEC2') } }]);
+  await drop(page, { 'red.glb': maker.glb().bytes });
+  await opened(page, 'red.glb');
+  await page.click('[data-shading=textured]');
+  await page.waitForTimeout(300);
+  const { data, channels } = decode(await picture());
+  let reddish = 0;
+  for (let i = 0; i < data.length; i += channels) {
+    reddish += data[i] > 100 && data[i] > 2 * data[i + 1] && data[i] > 2 * data[i + 2];
+  }
+  assert.ok(reddish > data.length / channels / 50, `${reddish} of ${data.length / channels}`);
 });
