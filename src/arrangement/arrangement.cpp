@@ -199,6 +199,7 @@ double mostTolerance(const ArrangementInput& input) {
     const Index next = input.indices[i % 3 == 2 ? i - 2 : i + 1];
     lengths.push_back((input.positions[next] - input.positions[input.indices[i]]).norm());
   }
+  if (lengths.empty()) return 0;
   const auto middle = lengths.begin() + std::ptrdiff_t(lengths.size() / 2);
   std::nth_element(lengths.begin(), middle, lengths.end());
   return kMostSnapped * *middle;
