@@ -140,6 +140,9 @@ test('wrong words are named, with what to do', () => {
   const isRefused = (pattern, ...words) => assert.throws(() => parseCommandLine(words),
     (error) => exitStatusOf(error) === 2 && pattern.test(errorInWords(error)));
   isRefused(/No output file.*Add -o/, 'torus.off');
+  isRefused(/no command reapir.*mean remesher repair/, 'reapir', 'torus.off', '-o', 'x.off');
+  isRefused(/no command remesh\..*leave it out/, 'remesh', 'torus.off', '-o', 'x.off');
+  isRefused(/two input files, a\.off/, 'a.off', 'torus.off', '-o', 'x.off');
   isRefused(/--edge\b.*Did you mean --edge-length/, 'torus.off', '-o', 'x.off', '--edge', '2');
   isRefused(/--vertexes.*Did you mean --vertices/,
     'torus.off', '-o', 'x.off', '--vertexes', '3');

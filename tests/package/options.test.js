@@ -6,7 +6,7 @@ import { test } from 'node:test';
 
 import { remesh } from 'remesher';
 import {
-  checkOptions, defaultOf, inJavaScript, nearest, optionTable,
+  checkOptions, defaultOf, inJavaScript, optionTable,
 } from 'remesher/options';
 
 import { helpText, parseCommandLine } from '../../dist/cli/cli_arguments.js';
@@ -98,7 +98,6 @@ test('values of the wrong type are refused', () => {
 test('an unknown name is refused, and the nearest named', () => {
   refused({ vertexes: 3 }, 'UNKNOWN_OPTION', /Did you mean vertices\?/);
   refused({ splitobtuse: true }, 'UNKNOWN_OPTION', /splitObtuse/);
-  assert.equal(nearest('zzzzzzzz', ['vertices']), undefined);
 });
 
 /** A value of an option that is not its default; the first of those that are wanted. */

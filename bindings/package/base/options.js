@@ -9,6 +9,7 @@ import { RemeshError } from './errors.js';
 import { legible } from './legible.js';
 import { repairNames } from './option_lists.js';
 import { units } from './lengths.js';
+import { nearest } from './nearest.js';
 import { OptionRules } from './option_rules.js';
 import { canonical, checkValue, inWords, isLength } from './option_values.js';
 import { presets, withPreset } from './presets.js';
@@ -271,9 +272,6 @@ export function defaultOf(option, scheme) {
   return typeof option.default === 'object' ? option.default[scheme] : option.default;
 }
 
-// Longer names are not compared: that would take long.
-const longestName = 100;
-
 /**
  * The value that holds when the option is not given, in words; empty: none does.
  * @param {Option} option
@@ -283,43 +281,6 @@ export function defaultInWords(option, spell = String) {
   const [best, rounds] = [defaultOf(option, 'best'), defaultOf(option, 'rounds')];
   if (best === undefined) return '';
   return best === rounds ? spell(best) : `${spell(best)}; ${spell(rounds)} with rounds`;
-}
-
-/** The letters of which a name that begins with them is meant: fewer are no word. */
-const fewestLetters = 3;
-
-/**
- * The known name that was probably meant, or undefined: one that begins so, else one with few other
- * letters.
- * @param {string} name
- * @param {readonly string[]} known
- */
-export function nearest(name, known) {
-  let best;
-  let least = Math.max(2, name.length / 2) + 1;
-  if (name.length > longestName) return undefined;
-  const begun = name.replace(/^-+/, '').length >= fewestLetters
-    && known.find((candidate) => candidate.toLowerCase().startsWith(name.toLowerCase()));
-  if (begun) return begun;
-  for (const candidate of known) {
-    const distance = editDistance(name.toLowerCase(), candidate.toLowerCase());
-    if (distance < least) [best, least] = [candidate, distance];
-  }
-  return best;
-}
-
-/** @param {string} a @param {string} b */
-function editDistance(a, b) {
-  let row = Array.from({ length: b.length + 1 }, (_, j) => j);
-  for (let i = 1; i <= a.length; i += 1) {
-    const next = [i];
-    for (let j = 1; j <= b.length; j += 1) {
-      const change = row[j - 1] + (a[i - 1] === b[j - 1] ? 0 : 1);
-      next.push(Math.min(change, row[j] + 1, next[j - 1] + 1));
-    }
-    row = next;
-  }
-  return row[b.length];
 }
 
 /** The word after a flag in our sentences: a value of the option, or other words.

@@ -7,11 +7,11 @@ import { RemeshError } from '../base/errors.js';
 import { formats, inWords } from '../base/formats.js';
 import { legible } from '../base/legible.js';
 import { lengthFrom, pixelsFrom, takesLength } from '../base/lengths.js';
+import { nearest } from '../base/nearest.js';
 import { isFolder } from './plan.js';
 import {
-  bakeNames, checkOptions, checkOwn, checkValue, convertNames, defaultInWords, nearest,
-  optionTable, repairNames,
-  unwrapNames,
+  bakeNames, checkOptions, checkOwn, checkValue, convertNames, defaultInWords, optionTable,
+  repairNames, unwrapNames,
 } from '../base/options.js';
 
 /** @typedef {import('../base/messages.js').BooleanOperation} BooleanOperation */
@@ -174,6 +174,13 @@ function setNames(line, names) {
   if (command) line.command = command;
 }
 
+/** @param {string} word @param {string} meant a command, or remesh */
+function unknownCommand(word, meant) {
+  return wrongUse(`There is no command ${legible(word)}.`,
+    meant === 'remesh' ? 'To remesh, leave it out: remesher <input> -o <output> [options]'
+      : `Did you mean remesher ${meant}?`);
+}
+
 /** @param {CommandLine} line */
 function checkInputs({ command, inputs, output, skipExisting, jobs }) {
   if (isBoolean(command)) {
@@ -184,6 +191,8 @@ function checkInputs({ command, inputs, output, skipExisting, jobs }) {
   const [first, second] = inputs;
   if (command !== 'inspect' && isFolder(output)) return;
   if (second !== undefined) {
+    const meant = extname(first) === '' && nearest(first, [...commands, 'remesh']);
+    if (meant) throw unknownCommand(first, meant);
     throw wrongUse(`There are two input files, ${legible(first)} and ${legible(second)}.`,
       command === 'inspect' ? 'Inspect one after the other.'
         : 'Name the output with -o <output>; for many files let it end in /.');
