@@ -34,6 +34,9 @@ constexpr double kRounding = 1 + 1e-6;
 // Digits shown, and the most that a double has.
 constexpr int kDigits = 4, kMostDigits = 17;
 
+// A coordinate below this share of the parts' size is shown as 0.
+constexpr double kNothing = 1e-6;
+
 std::string number(double x) { return inDigits(x, kDigits); }
 
 struct WorstTriangle {
@@ -154,8 +157,10 @@ std::string placeInWords(const Vec3& p, const std::vector<io::Part>& parts) {
   int digits = kDigits;
   for (double reach = range.size(); reach < range.largest() && digits < kMostDigits; reach *= 10)
     ++digits;
-  std::string text = inDigits(p.x(), digits);
-  for (const double x : {p.y(), p.z()}) text.append(", ").append(inDigits(x, digits));
+  const double nothing = kNothing * range.size();
+  std::string text;
+  for (const double x : {p.x(), p.y(), p.z()})
+    text.append(text.empty() ? "" : ", ").append(inDigits(std::abs(x) < nothing ? 0 : x, digits));
   return text;
 }
 

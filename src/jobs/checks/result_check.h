@@ -13,7 +13,7 @@
 namespace remesher {
 
 // "0.5, 2, -1e-3", with more digits where the parts are small beside their distance from the
-// origin.
+// origin; a millionth of their size is 0.
 std::string placeInWords(const Vec3& p, const std::vector<io::Part>& parts);
 
 // The report's figures before and after a run.

@@ -32,6 +32,15 @@ MeshReport withAngles(double worst, double mean) {
 
 }  // namespace
 
+TEST_CASE("result check: a place has as many digits as tell its parts, and no rounding") {
+  std::vector<io::Part> parts = {io::Part{"", shapes::sliverFan(3), {}}};
+  CHECK(placeInWords({1, 4e-18, -0.5}, parts) == "1, 0, -0.5");
+  for (Vec3& p : parts[0].mesh.positions) p *= 1e-12;
+  CHECK(placeInWords({1e-12, 4e-13, 0}, parts) == "1e-12, 4e-13, 0");
+  for (Vec3& p : parts[0].mesh.positions) p = 1e12 * p + Vec3(500000, 0, 0);
+  CHECK(placeInWords({500000.25, 1, 0}, parts) == "500000.25, 1, 0");
+}
+
 TEST_CASE("result check: what is as good as before, or good, needs no word") {
   CHECK(codes(withAngles(3, 34), withAngles(3, 34)) == "");
   CHECK(codes(withAngles(58, 59), withAngles(30, 55)) == "");
