@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "jobs/level_files.h"
 
+#include <algorithm>
 #include <set>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "base/legible.h"
 #include "io/model/levels.h"
@@ -12,6 +15,36 @@
 namespace remesher {
 
 namespace {
+
+// By level whether a part of it has fewer triangles than that part has in each finer level.
+std::vector<char> areCoarser(const std::vector<SceneRun>& runs) {
+  std::vector<char> result(runs.size(), 0);
+  for (std::size_t i = 0; i < runs.front().parts.size(); ++i) {
+    std::size_t least = runs.front().parts[i].mesh.triangleCount();
+    for (std::size_t level = 1; level < runs.size(); ++level) {
+      const std::size_t count = runs[level].parts[i].mesh.triangleCount();
+      if (count < least) result[level] = 1;
+      least = std::min(least, count);
+    }
+  }
+  return result;
+}
+
+// LEVEL_NOT_COARSER, if levels are left out of the file.
+std::vector<Warning> levelsLeftOut(const std::vector<SceneRun>& runs) {
+  const std::vector<char> isCoarser = areCoarser(runs);
+  std::string numbers;
+  std::size_t count = 0;
+  for (std::size_t level = 1; level < runs.size(); ++level)
+    if (!isCoarser[level]) numbers += (count++ > 0 ? ", " : "") + std::to_string(level);
+  if (count == 0) return {};
+  const std::string words =
+      count == 1
+          ? "Level of detail " + numbers + " has no fewer triangles than those before it, and is "
+          : "Levels of detail " + numbers +
+                " have no fewer triangles than those before them, and are ";
+  return {{"LEVEL_NOT_COARSER", words + "not in the file.", count}};
+}
 
 // Gives a part its levels, finest first. One that is no coarser than that before it is left out:
 // the one before is shown until the next takes over.
@@ -67,7 +100,10 @@ void requireRoomForLevels(const std::string& outputName, const RemeshOptions& op
 io::WrittenFiles writeLevels(io::Model model, std::vector<SceneRun>& runs,
                              const std::string& outputName, const RemeshOptions& options) {
   if (options.lodFiles) return writeEach(std::move(model), runs, outputName);
-  return io::write(withLods(std::move(model), runs), outputName);
+  std::vector<Warning> warnings = levelsLeftOut(runs);
+  io::WrittenFiles written = io::write(withLods(std::move(model), runs), outputName);
+  written.warnings = joined(std::move(warnings), written.warnings);
+  return written;
 }
 
 }  // namespace remesher

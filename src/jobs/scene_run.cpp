@@ -365,11 +365,7 @@ SceneRun simplified(const InspectedParts& finest, const RemeshOptions& options,
   same.parts = otherwise.parts;
   same.report = otherwise.report;
   same.report.lods.clear();
-  same.report.warnings = {
-      {"LEVEL_NOT_COARSER",
-       "A level of detail is as fine as the one before it: the borders of its charts need all of "
-       "its vertices.",
-       1}};
+  same.report.warnings.clear();
   return same;
 }
 

@@ -134,8 +134,11 @@ test('materials and textures are there once; skins, morphs, places and animation
 test('a file has no level that is as fine as the one before it', async () => {
   const tetrahedron = 'OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3';
   const { bytes, report } = await remeshFile(new TextEncoder().encode(tetrahedron),
-    { name: 'a.off', output: 'a.glb', faces: 4, lods: [0.5] });
-  assert.deepEqual(report.lods.map(({ output }) => output.triangles), [4]);
+    { name: 'a.off', output: 'a.glb', faces: 4, lods: [0.5, 0.25] });
+  assert.deepEqual(report.lods.map(({ output }) => output.triangles), [4, 4]);
+  const [{ message, count }] = report.warnings.filter(({ code }) => code === 'LEVEL_NOT_COARSER');
+  assert.match(message, /^Levels of detail 1, 2 .* not in the file\.$/);
+  assert.equal(count, 2);
   const { tree } = openGltf({ bytes });
   assert.equal(tree.meshes.length, 1);
   assert.equal(tree.nodes[0].extensions, undefined);

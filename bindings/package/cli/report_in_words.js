@@ -5,6 +5,7 @@ import { legible } from '../base/legible.js';
 import { lengthInWords } from '../base/lengths.js';
 
 /** @typedef {import('../base/messages.js').MeshReport} MeshReport */
+/** @typedef {import('../base/messages.js').Warning} Warning */
 
 /** @param {number} count @param {string} thing */
 const counted = (count, thing) => `${count} ${thing}${count === 1 ? '' : 's'}`;
@@ -265,6 +266,16 @@ function fileInWords({ before, after }) {
   return [`file: ${sizeInWords(after.bytes)}${given}`];
 }
 
+/** Of levels of detail those that the whole does not have, too.
+ * @param {any} report */
+function warningsInWords({ warnings, lods = [] }) {
+  const said = new Set(warnings.map((/** @type {Warning} */ { message }) => message));
+  const own = lods.flatMap((/** @type {{ warnings?: Warning[] }} */ lod, /** @type {number} */ i) =>
+    (lod.warnings ?? []).filter(({ message }) => !said.has(message))
+      .map(({ message }) => `warning: level of detail ${i + 1}: ${message}`));
+  return [...warnings.map((/** @type {Warning} */ { message }) => `warning: ${message}`), ...own];
+}
+
 /** @param {any} report of a run, of an inspection, or warnings alone */
 export function reportInWords(report) {
   const parts = [];
@@ -288,7 +299,7 @@ export function reportInWords(report) {
   if (report.textures?.length > 0) parts.push(texturesInWords(report.textures));
   if (report.compression) parts.push(compressionInWords(report.compression));
   if (report.card) parts.push(...fileInWords(report.card));
-  for (const { message } of report.warnings) parts.push(`warning: ${message}`);
+  parts.push(...warningsInWords(report));
   if (report.stopped && report.stopped !== 'target') {
     parts.push(`stopped before the target by: ${report.stopped}`);
   }

@@ -102,8 +102,8 @@ export default {
   'warning.LEVELS_REPLACED': 'Die gröberen Stufen, die die Datei hatte, weichen den verlangten.',
   'warning.LEVEL_FARTHER_THAN_ASKED': 'Eine Detailstufe weicht um mehr Bildpunkte ab als verlangt: '
     + 'Die Stufe vor ihr hat nicht mehr Punkte.',
-  'warning.LEVEL_NOT_COARSER': 'Eine Detailstufe ist so fein wie die vor ihr: Die Ränder ihrer '
-    + 'Karten brauchen alle Punkte.',
+  'warning.LEVEL_NOT_COARSER': 'Eine Detailstufe hat nicht weniger Dreiecke als die vor ihr und '
+    + 'steht nicht in der Datei.',
   'warning.MAP_NOT_PAINTED': 'Eine Textur oder Varianten von Materialien können nicht neu gemalt '
     + 'werden und gehen verloren.',
   'warning.MATERIAL_IMAGES_NOT_READ': 'Die Materialien nennen Bilder, die nicht gelesen und nicht '

@@ -103,8 +103,8 @@ export default {
     + 'demandés.',
   'warning.LEVEL_FARTHER_THAN_ASKED': 'Un niveau de détail s’écarte de plus de pixels que demandé '
     + ': le niveau précédent n’a pas plus de sommets.',
-  'warning.LEVEL_NOT_COARSER': 'Un niveau de détail est aussi fin que le précédent : les bords '
-    + 'de ses îlots ont besoin de tous ses sommets.',
+  'warning.LEVEL_NOT_COARSER': 'Un niveau de détail n’a pas moins de triangles que les précédents '
+    + 'et n’est pas dans le fichier.',
   'warning.MAP_NOT_PAINTED': 'Une texture ou des variantes de matériaux ne peuvent pas être '
     + 'repeintes et sont perdues.',
   'warning.MATERIAL_IMAGES_NOT_READ': 'Les matériaux nomment des images qui ne sont ni lues ni '
