@@ -113,6 +113,7 @@ add_executable(unit_tests
   tests/unit/mesh/mesh_builder_test.cpp
   tests/unit/mesh/orientation_test.cpp
   tests/unit/mesh/quad_loops_test.cpp
+  tests/unit/mesh/shortest_paths_test.cpp
   tests/unit/mesh/space_order_test.cpp
   tests/unit/mesh/star_passes_test.cpp
   tests/unit/mesh/submesh_test.cpp

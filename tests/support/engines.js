@@ -23,6 +23,7 @@ export const engines = [
     files: ['geometry/piecewise'] },
   { kind: 'search for lost tips', before: 2, aim: 1,
     files: ['remesh/accuracy/tips', 'remesh/quads/shape/quad_tips'] },
+  { kind: 'shortest paths along edges', before: 4, aim: 1, files: ['mesh/shortest_paths'] },
   { kind: 'table that chooses a mesh', before: 7, aim: 1, files: ['remesh/schemes/chooser'] },
 ];
 

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <queue>
 #include <tuple>
 
 #include "base/fires.h"
 #include "base/place.h"
 #include "geometry/triangle.h"
+#include "mesh/shortest_paths.h"
 
 namespace remesher {
 
@@ -284,28 +284,17 @@ bool Imprint::walk(Index from, Index to, std::vector<Index>& path) {
 // The shortest way along edges.
 bool Imprint::follow(Index from, Index to, std::vector<Index>& path) const {
   fires("guides: along edges");
-  std::map<Index, std::pair<double, Index>> known = {{from, {0, kNone}}};
-  std::priority_queue<std::pair<double, Index>, std::vector<std::pair<double, Index>>,
-                      std::greater<>>
-      open;
-  open.push({0, from});
-  while (!open.empty()) {
-    const auto [length, v] = open.top();
-    open.pop();
-    if (v == to) break;
-    if (length > known[v].first) continue;
-    for (const Index f : around_[v])
-      for (const Index w : corners(f)) {
-        const double farther = length + distance(at(v), at(w));
-        const auto entry = known.find(w);
-        if (w == v || (entry != known.end() && entry->second.first <= farther)) continue;
-        known[w] = {farther, v};
-        open.push({farther, w});
-      }
-  }
-  if (!known.contains(to)) return false;
+  ShortestPaths paths(around_.size());
+  VertexData<Index> before(around_.size(), kNone);
+  paths.reach(Vertex(from), 0);
+  for (Vertex v; (v = paths.leave()) && v.index != to;)
+    for (const Index f : around_[v.index])
+      for (const Index w : corners(f))
+        if (paths.reach(Vertex(w), paths[v] + distance(at(v.index), at(w))))
+          before[Vertex(w)] = v.index;
+  if (paths[Vertex(to)] == kInfinity) return false;
   std::vector<Index> back;
-  for (Index v = to; v != from; v = known[v].second) back.push_back(v);
+  for (Index v = to; v != from; v = before[Vertex(v)]) back.push_back(v);
   path.insert(path.end(), back.rbegin(), back.rend());
   return true;
 }

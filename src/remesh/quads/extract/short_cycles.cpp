@@ -3,9 +3,8 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <functional>
-#include <queue>
 
+#include "mesh/shortest_paths.h"
 #include "mesh/topology.h"
 
 namespace remesher {
@@ -107,7 +106,9 @@ class CycleSearch {
       : mesh_(mesh),
         crossings_(CrossingCycles(mesh.mesh()).run()),
         most_(most),
-        reached_(mesh.mesh().vertexCapacity()) {}
+        paths_(mesh.mesh().vertexCapacity()),
+        crossed_(mesh.mesh().vertexCapacity()),
+        by_(mesh.mesh().vertexCapacity()) {}
 
   // A cycle that divides nothing has an edge that a cycle of triangles crosses: a vertex of each
   // such edge will do.
@@ -125,49 +126,35 @@ class CycleSearch {
   }
 
  private:
-  struct Reached {
-    double distance = kInfinity;
-    std::uint64_t crossings = 0;
-    Halfedge by;
-  };
-
   void searchFrom(Vertex start) {
-    using Entry = std::pair<double, Index>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-    std::vector<Vertex> touched = {start};
-    reached_[start].distance = 0;
-    queue.push({0, start.index});
-    while (!queue.empty()) {
-      const double distance = queue.top().first;
-      const Vertex v(queue.top().second);
-      queue.pop();
-      if (distance > reached_[v].distance) continue;
+    paths_.clear();
+    paths_.reach(start, 0);
+    crossed_[start] = 0;
+    by_[start] = {};
+    for (Vertex v; (v = paths_.leave());)
       mesh_.mesh().forEachOutgoing(v, [&](Halfedge h) {
         const Vertex w = mesh_.mesh().tip(h);
         if (mesh_.kind(w) != VertexKind::Interior) return;
-        const Reached now{distance + mesh_.edgeLength(h), reached_[v].crossings ^ crossings_[h], h};
-        Reached& known = reached_[w];
-        const bool closes = known.distance < kInfinity && known.crossings != now.crossings;
-        if (closes && known.distance + now.distance < most_) keep(h);
-        if (now.distance >= known.distance || 2 * now.distance >= most_) return;
-        if (known.distance == kInfinity) touched.push_back(w);
-        known = now;
-        queue.push({now.distance, w.index});
+        const double distance = paths_[v] + mesh_.edgeLength(h);
+        const std::uint64_t crossed = crossed_[v] ^ crossings_[h];
+        const bool closes = paths_[w] < kInfinity && crossed_[w] != crossed;
+        if (closes && paths_[w] + distance < most_) keep(h);
+        if (2 * distance >= most_ || !paths_.reach(w, distance)) return;
+        crossed_[w] = crossed;
+        by_[w] = h;
       });
-    }
-    for (const Vertex v : touched) reached_[v] = {};
   }
 
   std::vector<Halfedge> wayTo(Vertex v) const {
     std::vector<Halfedge> way;
-    for (Halfedge h = reached_[v].by; h; h = reached_[mesh_.mesh().origin(h)].by) way.push_back(h);
+    for (Halfedge h = by_[v]; h; h = by_[mesh_.mesh().origin(h)]) way.push_back(h);
     return way;
   }
 
   // The way to h's start, h, and back from its end.
   void keep(Halfedge h) {
     const HalfedgeMesh& m = mesh_.mesh();
-    most_ = reached_[m.origin(h)].distance + mesh_.edgeLength(h) + reached_[m.tip(h)].distance;
+    most_ = paths_[m.origin(h)] + mesh_.edgeLength(h) + paths_[m.tip(h)];
     best_ = wayTo(m.origin(h));
     std::reverse(best_.begin(), best_.end());
     best_.push_back(h);
@@ -177,7 +164,9 @@ class CycleSearch {
   const WorkingMesh& mesh_;
   const Crossings crossings_;
   double most_;
-  VertexData<Reached> reached_;
+  ShortestPaths paths_;
+  VertexData<std::uint64_t> crossed_;  // by the shortest path to the vertex
+  VertexData<Halfedge> by_;            // its last edge
   std::vector<Halfedge> best_;
 };
 

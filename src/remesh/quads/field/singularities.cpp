@@ -4,13 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <functional>
-#include <map>
 #include <numbers>
-#include <queue>
 #include <tuple>
-#include <utility>
 #include <vector>
+
+#include "mesh/shortest_paths.h"
 
 namespace remesher {
 
@@ -19,62 +17,61 @@ namespace {
 // Opposite singular vertices nearer than this, in sides of quads, cancel each other.
 constexpr double kCancelWithin = 1.5;
 
-// Shortest ways along edges from one vertex, as far as `reach`.
+// Shortest paths along edges from one vertex, as far as `reach`.
 class Ways {
  public:
-  Ways(const WorkingMesh& mesh, Vertex from, double reach) : mesh_(mesh) {
-    using Entry = std::pair<double, Vertex>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-    found_[from] = {0, Halfedge()};
-    open.push({0, from});
-    while (!open.empty()) {
-      const double far = open.top().first;
-      const Vertex v = open.top().second;
-      open.pop();
-      if (far > found_.at(v).distance) continue;
-      mesh.mesh().forEachOutgoing(v, [&](Halfedge h) {
-        const Vertex next = mesh.mesh().tip(h);
-        const double there = far + (mesh.position(next) - mesh.position(v)).norm();
-        if (there > reach || mesh.kind(next) != VertexKind::Interior) return;
-        const auto known = found_.find(next);
-        if (known != found_.end() && known->second.distance <= there) return;
-        found_[next] = {there, h};
-        open.push({there, next});
+  Ways(const WorkingMesh& mesh, double reach, WorkBudget& work)
+      : mesh_(mesh),
+        reach_(reach),
+        work_(work),
+        paths_(mesh.mesh().vertexCapacity()),
+        by_(mesh.mesh().vertexCapacity()) {}
+
+  // The vertices within reach, in the order of their numbers.
+  std::vector<Vertex> from(Vertex start) {
+    paths_.clear();
+    paths_.reach(start, 0);
+    by_[start] = {};
+    for (Vertex v; (v = paths_.leave());)
+      mesh_.mesh().forEachOutgoing(v, [&](Halfedge h) {
+        const Vertex next = mesh_.mesh().tip(h);
+        const double there = paths_[v] + (mesh_.position(next) - mesh_.position(v)).norm();
+        if (there > reach_ || mesh_.kind(next) != VertexKind::Interior) return;
+        if (paths_.reach(next, there)) by_[next] = h;
       });
-    }
+    std::vector<Vertex> found = paths_.reached();
+    work_.spend(double(found.size()));
+    std::sort(found.begin(), found.end());
+    return found;
   }
 
-  struct Arrival {
-    double distance;
-    Halfedge by;  // the last edge of the way
-  };
-  const std::map<Vertex, Arrival>& found() const { return found_; }
+  double distance(Vertex v) const { return paths_[v]; }
 
   // From the start to v, last edge first.
   std::vector<Halfedge> wayTo(Vertex v) const {
     std::vector<Halfedge> way;
-    for (Halfedge h = found_.at(v).by; h; h = found_.at(mesh_.mesh().origin(h)).by)
-      way.push_back(h);
+    for (Halfedge h = by_[v]; h; h = by_[mesh_.mesh().origin(h)]) way.push_back(h);
     return way;
   }
 
  private:
   const WorkingMesh& mesh_;
-  std::map<Vertex, Arrival> found_;
+  const double reach_;
+  WorkBudget& work_;
+  ShortestPaths paths_;
+  VertexData<Halfedge> by_;  // per vertex the last edge of the path to it
 };
 
 using Pair = std::tuple<double, Vertex, Vertex>;  // distance, positive vertex, negative vertex
 
-std::vector<Pair> nearPairs(const WorkingMesh& mesh, const VertexData<int>& indices, double reach,
-                            WorkBudget& work) {
+std::vector<Pair> nearPairs(const WorkingMesh& mesh, const VertexData<int>& indices, Ways& ways,
+                            const WorkBudget& work) {
   std::vector<Pair> pairs;
   for (Index i = 0; i < indices.size(); ++i) {
     if (indices[Vertex(i)] <= 0 || mesh.kind(Vertex(i)) != VertexKind::Interior) continue;
     if (work.isSpent()) break;
-    const Ways ways(mesh, Vertex(i), reach);
-    work.spend(double(ways.found().size()));
-    for (const auto& [v, arrival] : ways.found())
-      if (indices[v] < 0) pairs.emplace_back(arrival.distance, Vertex(i), v);
+    for (const Vertex v : ways.from(Vertex(i)))
+      if (indices[v] < 0) pairs.emplace_back(ways.distance(v), Vertex(i), v);
   }
   std::sort(pairs.begin(), pairs.end());
   return pairs;
@@ -91,26 +88,23 @@ void turnAlong(CrossField& field, const HalfedgeMesh& mesh, const std::vector<Ha
 
 // Moves all but one quarter of a vertex with a larger index to the farthest regular vertices within
 // reach: a vertex of two quads is not allowed, and one of six becomes two of five.
-bool partDoubles(CrossField& field, const WorkingMesh& mesh, VertexData<int>& indices, double reach,
-                 WorkBudget& work) {
+bool partDoubles(CrossField& field, const WorkingMesh& mesh, VertexData<int>& indices, Ways& ways,
+                 const WorkBudget& work) {
   bool isChanged = false;
   for (Index i = 0; i < indices.size(); ++i)
     for (const Vertex v(i); std::abs(indices[v]) > 1 && !work.isSpent();) {
-      const Ways ways(mesh, v, reach);
-      work.spend(double(ways.found().size()));
-      const auto isNearer = [&](const auto& a, const auto& b) {
-        return (indices[a.first] == 0 ? a.second.distance : -1) <
-               (indices[b.first] == 0 ? b.second.distance : -1);
-      };
-      const auto farthest = std::max_element(ways.found().begin(), ways.found().end(), isNearer);
-      if (indices[farthest->first] != 0) break;
-      std::vector<Halfedge> way = ways.wayTo(farthest->first);
+      const std::vector<Vertex> found = ways.from(v);
+      const auto freedom = [&](Vertex w) { return indices[w] == 0 ? ways.distance(w) : -1; };
+      const Vertex farthest = *std::max_element(
+          found.begin(), found.end(), [&](Vertex a, Vertex b) { return freedom(a) < freedom(b); });
+      if (indices[farthest] != 0) break;
+      std::vector<Halfedge> way = ways.wayTo(farthest);
       const int sign = indices[v] > 0 ? 1 : -1;
       if (sign < 0)
         for (Halfedge& h : way) h = mesh.mesh().twin(h);
       turnAlong(field, mesh.mesh(), way);
       indices[v] -= sign;
-      indices[farthest->first] += sign;
+      indices[farthest] += sign;
       isChanged = true;
     }
   return isChanged;
@@ -140,12 +134,12 @@ VertexData<int> quarterIndices(const CrossField& field, const WorkingMesh& mesh,
 void cancelPairs(CrossField& field, const WorkingMesh& mesh, const FaceFrames& frames, double reach,
                  WorkBudget& work) {
   VertexData<int> indices = quarterIndices(field, mesh, frames);
-  bool isChanged = partDoubles(field, mesh, indices, reach, work);
-  for (const auto& [distance, positive, negative] : nearPairs(mesh, indices, reach, work)) {
+  Ways ways(mesh, reach, work);
+  bool isChanged = partDoubles(field, mesh, indices, ways, work);
+  for (const auto& [distance, positive, negative] : nearPairs(mesh, indices, ways, work)) {
     if (indices[positive] <= 0 || indices[negative] >= 0) continue;
     if (work.isSpent()) break;
-    const Ways ways(mesh, positive, reach);
-    work.spend(double(ways.found().size()));
+    ways.from(positive);
     turnAlong(field, mesh.mesh(), ways.wayTo(negative));
     --indices[positive];
     ++indices[negative];

@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <queue>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "geometry/distance_sampler.h"
 #include "geometry/mesh_tree.h"
+#include "mesh/shortest_paths.h"
 #include "original/surface/surface_walk.h"
 #include "remesh/quads/mesh/quad_distance.h"
 #include "remesh/quads/mesh/quad_parts.h"
@@ -22,60 +22,32 @@ namespace {
 // Farther along the surface than this, in mean sides, no quad reaches from one of its corners.
 constexpr double kBeyondQuads = 2.5;
 
-// The shortest ways along edges of the ground from some of its vertices.
-class GroundWays {
- public:
-  explicit GroundWays(const WorkingMesh& ground)
-      : ground_(ground), gone_(ground.mesh().vertexCapacity(), kInfinity) {}
-
-  void begin(Vertex v, double gone) {
-    if (!(gone < gone_[v])) return;
-    gone_[v] = gone;
-    queue_.emplace(gone, v.index);
-  }
-
-  // Goes on to farther vertices, up to the first one of which isEnd(vertex) is true; none if there
-  // is none.
-  template <class IsEnd>
-  Vertex go(IsEnd isEnd) {
-    while (!queue_.empty()) {
-      const auto [gone, index] = queue_.top();
-      const Vertex v(index);
-      queue_.pop();
-      if (gone > gone_[v]) continue;
-      if (isEnd(v)) return v;
-      const double here = gone;
-      ground_.mesh().forEachNeighbor(v, [&](Vertex w) {
-        begin(w, here + (ground_.position(w) - ground_.position(v)).norm());
-      });
-    }
-    return {};
-  }
-
-  VertexData<double>& gone() { return gone_; }
-
- private:
-  using Entry = std::pair<double, Index>;
-  const WorkingMesh& ground_;
-  VertexData<double> gone_;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
-};
+// Goes on along edges of the ground, up to the first vertex of which isEnd(vertex) is true; none if
+// there is none.
+template <class IsEnd>
+Vertex goAlong(const WorkingMesh& ground, ShortestPaths& paths, IsEnd isEnd) {
+  Vertex v;
+  while ((v = paths.leave()) && !isEnd(v))
+    ground.mesh().forEachNeighbor(v, [&](Vertex w) {
+      paths.reach(w, paths[v] + (ground.position(w) - ground.position(v)).norm());
+    });
+  return v;
+}
 
 // How far each vertex of the ground is from the corners of quads, along the ground.
-VertexData<double> alongGround(const QuadMesh& mesh, const WorkingMesh& ground,
-                               const MeshTree& tree) {
-  GroundWays ways(ground);
+ShortestPaths alongGround(const QuadMesh& mesh, const WorkingMesh& ground, const MeshTree& tree) {
+  ShortestPaths paths(ground.mesh().vertexCapacity());
   Face near;
   for (const Placement& place : mesh.vertices) {
     near = tree.nearest(place.position, near).face;
     for (const Vertex v : ground.mesh().vertices(near)) {
       const bool isSameSide =
           place.kind != VertexKind::Interior || ground.normal(v).dot(place.normal) > 0;
-      if (isSameSide) ways.begin(v, (ground.position(v) - place.position).norm());
+      if (isSameSide) paths.reach(v, (ground.position(v) - place.position).norm());
     }
   }
-  ways.go([](Vertex) { return false; });
-  return std::move(ways.gone());
+  goAlong(ground, paths, [](Vertex) { return false; });
+  return paths;
 }
 
 // How far each vertex of the ground is from the quads, and the nearest quad. What no quad reaches
@@ -87,15 +59,16 @@ struct FromQuads {
 
 FromQuads distancesFrom(const QuadMesh& mesh, const WorkingMesh& ground, const MeshTree& ofGround) {
   const QuadTree tree(mesh);
+  const ShortestPaths along = alongGround(mesh, ground, ofGround);
   const auto count = Index(ground.mesh().vertexCapacity());
-  FromQuads result{alongGround(mesh, ground, ofGround), VertexData<Index>(count, kNone)};
+  FromQuads result{VertexData<double>(count), VertexData<Index>(count, kNone)};
   const double beyond = kBeyondQuads * meanSide(mesh);
   DistanceSampler sampler(*tree);
   for (Index i = 0; i < count; ++i) {
-    const double inSpace = std::sqrt(sampler.add(ground.position(Vertex(i))));
-    double& distance = result.distance[Vertex(i)];
-    if (!(distance > beyond)) distance = inSpace;
-    result.quad[Vertex(i)] = sampler.near() / 2;
+    const Vertex v(i);
+    const double inSpace = std::sqrt(sampler.add(ground.position(v)));
+    result.distance[v] = along[v] > beyond ? along[v] : inSpace;
+    result.quad[v] = sampler.near() / 2;
   }
   return result;
 }
@@ -103,16 +76,16 @@ FromQuads distancesFrom(const QuadMesh& mesh, const WorkingMesh& ground, const M
 // The part of the ground around a tip, as far as the quads: how far its vertices are from the tip
 // along edges, and where it meets the quads.
 struct Protrusion {
-  VertexData<double> gone;  // kInfinity beyond
+  ShortestPaths gone;  // kInfinity beyond
   double length = 0;
   Index quad = kNone;
 };
 
 Protrusion protrusionAt(Vertex tip, const WorkingMesh& ground, const FromQuads& from, double near) {
-  GroundWays ways(ground);
-  ways.begin(tip, 0);
-  const Vertex end = ways.go([&](Vertex v) { return from.distance[v] < near; });
-  Protrusion protrusion{std::move(ways.gone())};
+  Protrusion protrusion{ShortestPaths(ground.mesh().vertexCapacity())};
+  protrusion.gone.reach(tip, 0);
+  const Vertex end =
+      goAlong(ground, protrusion.gone, [&](Vertex v) { return from.distance[v] < near; });
   if (!end) return protrusion;
   protrusion.length = protrusion.gone[end];
   protrusion.quad = from.quad[end];
