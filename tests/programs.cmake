@@ -8,6 +8,7 @@ add_executable(unit_tests
   tests/unit/arrangement/sheet_triangulation_test.cpp
   tests/unit/arrangement/snapping_test.cpp
   tests/unit/bake_test.cpp
+  tests/unit/base/bracket_test.cpp
   tests/unit/base/diagnostics_test.cpp
   tests/unit/base/legible_test.cpp
   tests/unit/base/patience_test.cpp

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "base/bracket.h"
 #include "base/fires.h"
 #include "jobs/checks/crossing_check.h"
 #include "measure/hausdorff.h"
@@ -73,7 +74,7 @@ class FewestSearch {
       if (fact == Fact::IsotropicAsked) return asked_.prefer == Prefer::Even;
       if (fact == Fact::MoreThanInput) return double(outcome.vertices) > own;
       if (fact != Fact::OwnWithinBound) return false;
-      kept = simplest(0);
+      kept = simplest({});
       return kept.has_value();
     });
     if (rule.taken == Candidate::AsMade) return outcome;
@@ -86,25 +87,25 @@ class FewestSearch {
   // The vertices that the shape needs: the number asked for, or as few as keep the bound.
   RemeshOutcome simplified() {
     options_.maxError.reset();
-    double fails = 0;
     if (hasNumber(asked_)) {
       RemeshOutcome made = runNext();
       if (isWithin(made.mesh, Maximum::Sampled) && isProven(made.mesh)) return made;
-      fails = double(made.vertices);
+      tried_.fails = double(made.vertices);
     }
-    std::optional<RemeshOutcome> kept = simplest(fails);
+    const bool isRaised = tried_.fails > 0;
+    std::optional<RemeshOutcome> kept = simplest(tried_);
     if (!kept) {
       fires("fewest: no number of simplified vertices keeps the bound");
       options_.vertices = Index(ownVertices());
       kept = runNext();
     }
-    if (fails > 0) kept->stopped = Stopped::MaxError;
+    if (isRaised) kept->stopped = Stopped::MaxError;
     return std::move(*kept);
   }
 
-  // Of the vertices that the shape needs the fewest that keep the bound, to a tenth: more than
-  // `fails`. None if not even all of the input's do.
-  std::optional<RemeshOutcome> simplest(double fails) {
+  // Of the vertices that the shape needs the fewest that keep the bound, to a tenth: more than are
+  // known not to. None if not even all of the input's do.
+  std::optional<RemeshOutcome> simplest(Bracket tried) {
     options_ = asked_;
     options_.maxError.reset();
     options_.ratio.reset();
@@ -113,17 +114,16 @@ class FewestSearch {
     options_.prefer = Prefer::Shape;
     const double own = ownVertices();
     std::optional<RemeshOutcome> kept;
-    double does = own + 1;
     for (double next = own; next >= 1;) {
       RemeshOutcome made = runAt(next);
       const auto vertices = double(made.vertices);
-      const bool keeps = made.prefer == Prefer::Shape && vertices < does &&
+      const bool keeps = made.prefer == Prefer::Shape && vertices < (kept ? tried.does : own + 1) &&
                          isWithin(made.mesh, Maximum::Sampled) && (!kept || isProven(made.mesh));
-      if (keeps) kept = std::move(made), does = vertices;
+      if (keeps) kept = std::move(made), tried.does = vertices;
       if (!kept) return kept;
-      if (!keeps) fails = next;
-      if (fails > 0 && (does <= kNearEnough * fails || does - fails <= 1)) return kept;
-      next = fails > 0 ? std::ceil(std::sqrt(fails * does)) : std::floor(does / kStep);
+      if (!keeps) tried.fails = next;
+      if (tried.isWithin(kNearEnough) || tried.isEmpty()) return kept;
+      next = tried.isClosed() ? std::ceil(tried.next(kStep)) : std::floor(tried.next(kStep));
     }
     return kept;
   }
@@ -136,10 +136,10 @@ class FewestSearch {
   RemeshOutcome raised() {
     RemeshOutcome made = runNext();
     if (made.stopped != Stopped::MaxError) return made;
-    fails_ = double(made.vertices);
+    tried_.fails = double(made.vertices);
     options_.ratio.reset();
     options_.edgeLength.reset();
-    const double enough = search(kStep * *fails_);
+    const double enough = search(tried_.next(kStep));
     if (enough == 0) {
       fires("fewest: no number of quads keeps the bound");
       return made;
@@ -158,11 +158,9 @@ class FewestSearch {
     const double most = std::max(ownVertices(), kMostOfFew);
     while (next <= most && !isSettled()) {
       draft(next);
-      next = fails_ && does_ ? std::sqrt(*fails_ * *does_)
-             : does_         ? *does_ / kStep
-                             : *fails_ * kStep;
+      next = tried_.next(kStep);
     }
-    return does_.value_or(0);
+    return tried_.does;
   }
 
   double ownVertices() const {
@@ -172,12 +170,7 @@ class FewestSearch {
   }
 
   // isLeast_: the draft was raised to what the surface needs at least.
-  bool isSettled() const {
-    return does_ && (isLeast_ || (fails_ && (*does_ <= kNearEnough * *fails_ || areNeighbors())));
-  }
-
-  // No number lies between them.
-  bool areNeighbors() const { return *does_ - *fails_ <= 1; }
+  bool isSettled() const { return isLeast_ || tried_.isWithin(kNearEnough) || tried_.isEmpty(); }
 
   void draft(double vertices) {
     const RemeshOutcome made = runAt(vertices);
@@ -186,8 +179,8 @@ class FewestSearch {
         made.stopped == Stopped::Target || (asked_.quads && made.stopped != Stopped::MaxError);
     // Where a mesh missed the bound although it grew beyond a number that suffices, only the number
     // asked for is known to fail.
-    const bool isBeyond = !keeps && does_ && reached >= *does_;
-    (keeps ? does_ : fails_) = isBeyond ? asked : reached;
+    const bool isBeyond = !keeps && tried_.does > 0 && reached >= tried_.does;
+    (keeps ? tried_.does : tried_.fails) = isBeyond ? asked : reached;
     isLeast_ = keeps && reached > asked;
   }
 
@@ -217,7 +210,7 @@ class FewestSearch {
   RemeshOptions options_;
   const Progress& progress_;
   double done_ = 0;
-  std::optional<double> does_, fails_;  // the fewest lie between these
+  Bracket tried_;
   bool isLeast_ = false;
 };
 

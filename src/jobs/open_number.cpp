@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "base/bracket.h"
 #include "jobs/fewest_vertices.h"
 #include "measure/hausdorff.h"
 #include "measure/mesh_report.h"
@@ -98,16 +99,13 @@ class OpenNumber {
 
   // About the fewest vertices of a draft that is isotropic; 0 if none was found.
   double fewestDrafted(double own) const {
-    double fails = own, does = kMostTaken * own;
-    while (!isDraftIsotropic(does)) {
-      fails = std::exchange(does, 2 * does);
-      if (does > kMostTried) return 0;
+    Bracket tried{own, 0};
+    for (double next = kMostTaken * own; !tried.isWithin(kNearNumber) && !tried.isEmpty();
+         next = std::ceil(tried.next(2))) {
+      (isDraftIsotropic(next) ? tried.does : tried.fails) = next;
+      if (!tried.isClosed() && tried.next(2) > kMostTried) return 0;
     }
-    while (does > kNearNumber * fails && does - fails > 1) {
-      const double between = std::ceil(std::sqrt(fails * does));
-      (isDraftIsotropic(between) ? does : fails) = between;
-    }
-    return does;
+    return tried.does;
   }
 
   bool isDraftIsotropic(double vertices) const {

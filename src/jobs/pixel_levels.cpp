@@ -29,10 +29,10 @@ double PixelSearch::estimate(double percent, double vertices) const {
   const double factor = std::clamp(percent / (std::sqrt(kNearlyAsked) * percent_),
                                    1 / kLargestChange, kLargestChange);
   const double wanted = std::clamp(factor * vertices, kFewestVertices, most_);
-  if (does_ == 0 || fails_ == 0) return wanted;
-  const bool isBetween =
-      wanted > fails_ * std::sqrt(kNarrowRange) && wanted < does_ / std::sqrt(kNarrowRange);
-  return isBetween ? wanted : std::sqrt(does_ * fails_);
+  if (!tried_.isClosed()) return wanted;
+  const bool isBetween = wanted > tried_.fails * std::sqrt(kNarrowRange) &&
+                         wanted < tried_.does / std::sqrt(kNarrowRange);
+  return isBetween ? wanted : tried_.next(1);
 }
 
 bool PixelSearch::take(const Report& made) {
@@ -41,19 +41,18 @@ bool PixelSearch::take(const Report& made) {
   const bool isWithin = percent <= percent_, isFirst = tries_++ == 0;
   bool isBest = isFirst;
   if (isWithin) {
-    isBest = does_ == 0 || vertices < does_;
-    if (isBest) does_ = vertices;
+    isBest = tried_.does == 0 || vertices < tried_.does;
+    if (isBest) tried_.does = vertices;
   } else {
-    fails_ = std::max(fails_, vertices);
-    isBest = does_ == 0 && (isFirst || percent < least_);
+    tried_.fails = std::max(tried_.fails, vertices);
+    isBest = tried_.does == 0 && (isFirst || percent < least_);
     if (isBest) least_ = percent;
   }
   const bool isRaised = isWithin && vertices > asked;
   const bool isNear = isWithin && percent >= kNearlyAsked * percent_;
-  const bool isNarrow = does_ > 0 && fails_ > 0 && does_ <= kNarrowRange * fails_;
   next_ = Index(std::lround(estimate(percent, std::min(vertices, most_))));
-  isSettled_ =
-      isRaised || isNear || isNarrow || tries_ >= kMostPixelTries || double(next_) == asked;
+  isSettled_ = isRaised || isNear || tried_.isWithin(kNarrowRange) || tries_ >= kMostPixelTries ||
+               double(next_) == asked;
   return isBest;
 }
 

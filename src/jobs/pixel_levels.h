@@ -5,6 +5,7 @@
 
 #include <functional>
 
+#include "base/bracket.h"
 #include "base/report.h"
 #include "jobs/scene_run.h"
 
@@ -26,15 +27,15 @@ class PixelSearch {
   bool isSettled() const { return isSettled_; }
 
   // Whether the best is off by no more.
-  bool isMet() const { return does_ > 0; }
+  bool isMet() const { return tried_.does > 0; }
 
  private:
   double estimate(double percent, double vertices) const;
 
   double percent_;  // of the diagonal
   double most_;
-  double does_ = 0, fails_ = 0;  // vertices of the fewest that do, and of the most that do not
-  double least_ = 0;             // percent of the nearest that does not
+  Bracket tried_;     // vertices
+  double least_ = 0;  // percent of the nearest that does not
   Index next_;
   int tries_ = 0;
   bool isSettled_ = false;
