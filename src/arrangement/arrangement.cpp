@@ -79,10 +79,11 @@ class Run {
       result.outcome = Outcome::GaveUp;
       return result;
     }
-    KeptFacets kept = boundaryOfInside(points_, triangles_, *facets, options_.isInside);
-    result.isOutsideDropped = kept.isOutsideDropped;
-    kept = mergedFacets(points_, triangles_, input_.classes, *facets, std::move(kept));
-    result.work = facets->work + kept.work;
+    InsideBoundary boundary = boundaryOfInside(points_, triangles_, *facets, options_.isInside);
+    result.isOutsideDropped = boundary.isOutsideDropped;
+    result.work = facets->work + boundary.work;
+    KeptFacets kept =
+        mergedFacets(points_, triangles_, input_.classes, *facets, std::move(boundary));
     result.cut = facets->cutTriangles;
     roundTo(result, kept, facets->isCut);
     return result;
@@ -249,7 +250,7 @@ std::optional<Snapped> snapped(const ArrangementResult& first, std::span<const I
   Snapped snap;
   ArrangementResult& result = snap.result;
   result.positions = first.positions;
-  KeptFacets facets{first.indices, {}, {}};
+  KeptFacets facets{first.indices, {}};
   facets.from.reserve(first.triangles.size());
   for (Index t = 0; t < first.triangles.size(); ++t) facets.from.push_back({t, 1});
   if (!snapTogether(result.positions, facets, around,

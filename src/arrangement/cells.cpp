@@ -32,25 +32,26 @@ class Cells {
         corners_.push_back(facets.corners[std::size_t{3} * f + k]);
   }
 
-  KeptFacets run(const InsideRule& isInside) {
+  InsideBoundary run(const InsideRule& isInside) {
     joinSides();
     windAll();
-    KeptFacets kept;
-    kept.isOutsideDropped = walls_.size() < facets_.size();  // those cancel, wherever they are
+    InsideBoundary boundary;
+    KeptFacets& kept = boundary.kept;
+    boundary.isOutsideDropped = walls_.size() < facets_.size();  // those cancel, wherever they are
     for (Index wall = 0; wall < walls_.size(); ++wall) {
       const bool isFrontInside = isInside(winding(front(wall)));
       if (isFrontInside == isInside(winding(back(wall)))) {
-        kept.isOutsideDropped |= !isFrontInside;
+        boundary.isOutsideDropped |= !isFrontInside;
         continue;
       }
       std::array<Index, 3> c = {corners_[3 * wall], corners_[3 * wall + 1], corners_[3 * wall + 2]};
       if (isFrontInside) std::swap(c[1], c[2]);
       kept.corners.insert(kept.corners.end(), c.begin(), c.end());
-      kept.facets.push_back(walls_[wall]);
+      boundary.facets.push_back(walls_[wall]);
       kept.from.push_back(bestParent(walls_[wall], isFrontInside ? -1 : 1));
     }
-    kept.work = work_;
-    return kept;
+    boundary.work = work_;
+    return boundary;
   }
 
  private:
@@ -226,8 +227,8 @@ class Cells {
 
 }  // namespace
 
-KeptFacets boundaryOfInside(PointPool& points, const ArrangedTriangles& triangles,
-                            const Facets& facets, const InsideRule& isInside) {
+InsideBoundary boundaryOfInside(PointPool& points, const ArrangedTriangles& triangles,
+                                const Facets& facets, const InsideRule& isInside) {
   return Cells(points, triangles, facets).run(isInside);
 }
 

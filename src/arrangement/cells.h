@@ -19,13 +19,17 @@ using InsideRule = std::function<bool(std::span<const int>)>;
 struct KeptFacets {
   std::vector<Index> corners;     // three per facet, counterclockwise seen from outside
   std::vector<FacetParent> from;  // per facet: a triangle that contains it
-  std::vector<Index> facets;      // per facet its number before; kNone for one that was made since
+};
+
+struct InsideBoundary {
+  KeptFacets kept;
+  std::vector<Index> facets;      // per kept facet its number among all
   bool isOutsideDropped = false;  // whether some went that have no inside on either side
   std::size_t work = 0;
 };
 
 // The facets that have the inside on one of their sides only, in their order.
-KeptFacets boundaryOfInside(PointPool& points, const ArrangedTriangles& triangles,
-                            const Facets& facets, const InsideRule& isInside);
+InsideBoundary boundaryOfInside(PointPool& points, const ArrangedTriangles& triangles,
+                                const Facets& facets, const InsideRule& isInside);
 
 }  // namespace remesher

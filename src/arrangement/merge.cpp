@@ -35,12 +35,13 @@ struct NewFacet {
 class Merging {
  public:
   Merging(const PointPool& points, const ArrangedTriangles& triangles,
-          std::span<const Index> classes, const Facets& all, KeptFacets facets)
+          std::span<const Index> classes, const Facets& all, InsideBoundary boundary)
       : points_(points),
         triangles_(triangles),
         classes_(classes),
         all_(all),
-        facets_(std::move(facets)) {}
+        facets_(std::move(boundary.kept)),
+        before_(std::move(boundary.facets)) {}
 
   KeptFacets run() {
     std::vector<Index> candidates = gather();
@@ -91,16 +92,16 @@ class Merging {
       return std::find(c.begin(), c.end(), point) == c.end();
     };
     if (isFree(facets_.from[f])) return facets_.from[f];
-    if (facets_.facets[f] == kNone) return std::nullopt;
+    if (before_[f] == kNone) return std::nullopt;
     const FacetParent& from = facets_.from[f];
-    for (const FacetParent& p : all_.parentsOf(facets_.facets[f]))
+    for (const FacetParent& p : all_.parentsOf(before_[f]))
       if (p.sign == signOf(f) * from.sign && isFree(p)) return FacetParent{p.triangle, from.sign};
     return std::nullopt;
   }
 
   // 1 if the facet is still oriented as it was before some were kept.
   int signOf(Index f) const {
-    for (const FacetParent& p : all_.parentsOf(facets_.facets[f]))
+    for (const FacetParent& p : all_.parentsOf(before_[f]))
       if (p.triangle == facets_.from[f].triangle) return p.sign * facets_.from[f].sign;
     return 1;
   }
@@ -268,7 +269,7 @@ class Merging {
       std::copy(filling[i].corners.begin(), filling[i].corners.end(),
                 facets_.corners.begin() + std::ptrdiff_t{3} * old[i]);
       facets_.from[old[i]] = filling[i].from;
-      facets_.facets[old[i]] = kNone;
+      before_[old[i]] = kNone;
       for (const Index p : filling[i].corners) facetsAt_[p].push_back(old[i]);
     }
   }
@@ -279,11 +280,9 @@ class Merging {
       if (!isAlive(f)) continue;
       const std::array<Index, 3> c = corners(f);
       std::copy(c.begin(), c.end(), facets_.corners.begin() + std::ptrdiff_t(3 * kept));
-      facets_.facets[kept] = facets_.facets[f];
       facets_.from[kept++] = facets_.from[f];
     }
     facets_.from.resize(kept);
-    facets_.facets.resize(kept);
     facets_.corners.resize(3 * kept);
   }
 
@@ -292,6 +291,7 @@ class Merging {
   std::span<const Index> classes_;
   const Facets& all_;
   KeptFacets facets_;
+  std::vector<Index> before_;  // per facet its number among all; kNone for one that was made since
   std::vector<std::vector<Index>> facetsAt_;  // per point, near new points
   std::map<std::pair<Index, Index>, bool> joinable_;
 };
@@ -299,8 +299,9 @@ class Merging {
 }  // namespace
 
 KeptFacets mergedFacets(const PointPool& points, const ArrangedTriangles& triangles,
-                        std::span<const Index> classes, const Facets& all, KeptFacets facets) {
-  return Merging(points, triangles, classes, all, std::move(facets)).run();
+                        std::span<const Index> classes, const Facets& all,
+                        InsideBoundary boundary) {
+  return Merging(points, triangles, classes, all, std::move(boundary)).run();
 }
 
 }  // namespace remesher

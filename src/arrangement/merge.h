@@ -10,9 +10,9 @@
 
 namespace remesher {
 
-// classes: per triangle, or empty; facets are joined only within a class. facets: those that were
-// kept of `all`.
+// classes: per triangle, or empty; facets are joined only within a class. boundary: of the inside,
+// among `all` facets.
 KeptFacets mergedFacets(const PointPool& points, const ArrangedTriangles& triangles,
-                        std::span<const Index> classes, const Facets& all, KeptFacets facets);
+                        std::span<const Index> classes, const Facets& all, InsideBoundary boundary);
 
 }  // namespace remesher

@@ -19,7 +19,7 @@ namespace {
 constexpr double kNear = 1e-6;
 
 KeptFacets facetsOf(const TriangleMesh& mesh) {
-  KeptFacets facets{mesh.indices, {}, {}};
+  KeptFacets facets{mesh.indices, {}};
   for (Index t = 0; t < mesh.triangleCount(); ++t) facets.from.push_back({t, 1});
   return facets;
 }
