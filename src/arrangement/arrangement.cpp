@@ -69,8 +69,7 @@ class Run {
         normal_(scaled(input.positions, toNormal_)),
         points_(normal_),
         triangles_{input.indices, input.operands,
-                   [this]() -> const TriangleTree& { return tree(); }, input.meeting,
-                   input.isEachSound} {}
+                   [this]() -> const TriangleTree& { return tree(); }, input.known} {}
 
   ArrangementResult run() {
     ArrangementResult result;

@@ -26,11 +26,7 @@ struct ArrangementInput {
   std::vector<Index> operands;  // one per triangle
   // One per triangle, or empty: facets are merged only with those of the same class.
   std::vector<Index> classes;
-  // The only triangles that may meet others, if that is known; ascending.
-  std::optional<std::vector<Index>> meeting;
-  // Whether no triangle meets others of its own operand. Then there are two operands, that of
-  // number 0 first, and `meeting` is known.
-  bool isEachSound = false;
+  KnownMeetings known;
 };
 
 struct ArrangementOptions {

@@ -15,13 +15,20 @@
 
 namespace remesher {
 
+// What is known beforehand of the triangles that meet others.
+struct KnownMeetings {
+  std::optional<std::vector<Index>> triangles;  // the only ones that may; ascending
+  // Whether no triangle meets others of its own operand. Then there are two operands, that of
+  // number 0 first, and `triangles` are known.
+  bool isEachSound = false;
+};
+
 // The triangles to arrange, with points of a pool as corners.
 struct ArrangedTriangles {
-  const std::vector<Index>& corners;                 // three per triangle
-  const std::vector<Index>& operands;                // one per triangle
-  const std::function<const TriangleTree&()> tree;   // of all, built when it is first asked for
-  const std::optional<std::vector<Index>>& meeting;  // see ArrangementInput
-  bool isEachSound;
+  const std::vector<Index>& corners;                // three per triangle
+  const std::vector<Index>& operands;               // one per triangle
+  const std::function<const TriangleTree&()> tree;  // of all, built when it is first asked for
+  const KnownMeetings& known;
 
   GivenPlane operator[](Index t) const {
     return {corners[3 * t], corners[3 * t + 1], corners[3 * t + 2]};

@@ -51,12 +51,13 @@ class SheetSearch {
       if (++work_ <= mostWork && trianglesMeet(named(s), named(t)))
         pairs.emplace_back(std::min(s, t), std::max(s, t));
     };
-    if (!triangles_.meeting)
+    const auto& [meeting, isEachSound] = triangles_.known;
+    if (!meeting)
       triangles_.tree().visitPairs(look);
-    else if (triangles_.isEachSound)
-      visitPairsOfOperands(*triangles_.meeting, look);
+    else if (isEachSound)
+      visitPairsOfOperands(*meeting, look);
     else
-      visitPairs(*triangles_.meeting, look);
+      visitPairs(*meeting, look);
     std::sort(pairs.begin(), pairs.end());
     return pairs;
   }

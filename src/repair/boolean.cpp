@@ -99,8 +99,7 @@ std::optional<United> booleanOf(const TriangleMesh& both, std::size_t trianglesO
   for (std::size_t t = 0; t < trianglesOfA; ++t) operands.numbers[t] = 0;
   const TriangleMesh mesh = atOnePosition(both);
   if (each == Each::Sound) {
-    operands.meeting = nearOther(both, trianglesOfA);
-    operands.isEachSound = mesh.positions == both.positions;
+    operands.known = {nearOther(both, trianglesOfA), mesh.positions == both.positions};
   }
   std::optional<United> result = arranged(mesh, operands);
   if (!result) return std::nullopt;

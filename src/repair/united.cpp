@@ -51,8 +51,9 @@ Welded weldedOf(const TriangleMesh& bodies, const Operands& operands) {
     welded.triangles.push_back(t);
     welded.input.operands.push_back(operands.numbers[t]);
   }
-  welded.input.isEachSound = operands.isEachSound;
-  if (operands.meeting) welded.input.meeting = numbersAmong(welded.triangles, *operands.meeting);
+  welded.input.known = operands.known;
+  if (const auto& meeting = operands.known.triangles)
+    welded.input.known.triangles = numbersAmong(welded.triangles, *meeting);
   // Attributes are linear in one triangle only, so facets of different ones stay apart.
   if (!bodies.attributes.empty()) {
     welded.input.classes.resize(welded.triangles.size());
@@ -185,8 +186,9 @@ std::optional<United> united(const TriangleMesh& bodies, std::span<const Index> 
   if (inside == Inside::EitherWay)
     isInside = [](std::span<const int> windings) { return windings[0] != 0; };
   std::optional<United> result =
-      arranged(bodies, {std::vector<Index>(bodies.triangleCount(), 0), std::move(isInside),
-                        std::vector<Index>(crossings.begin(), crossings.end())});
+      arranged(bodies, {std::vector<Index>(bodies.triangleCount(), 0),
+                        std::move(isInside),
+                        {std::vector<Index>(crossings.begin(), crossings.end())}});
   if (result && result->mesh.indices.empty()) return std::nullopt;
   return result;
 }

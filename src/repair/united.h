@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "arrangement/facets.h"
 #include "base/triangle_mesh.h"
 
 namespace remesher {
@@ -29,8 +30,7 @@ struct United {
 struct Operands {
   std::vector<Index> numbers;
   std::function<bool(std::span<const int>)> isInside;
-  std::optional<std::vector<Index>> meeting;  // see ArrangementInput, also for the next
-  bool isEachSound = false;
+  KnownMeetings known;
 };
 
 // Of the wanted triangles those in a list, by their places there. Both ascend.
