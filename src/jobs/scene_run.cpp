@@ -66,8 +66,7 @@ void take(SceneRun& run, std::size_t part, RemeshOutcome& outcome, RoundedMesh r
 void passOn(SceneRun& run, std::size_t number, const io::Part& original, const Error& reason) {
   run.parts[number].mesh = original.mesh;
   run.places[number] = ownPlaces(original.mesh);
-  run.report.chosen[number] =
-      inReport(choose(Decision::Part, [](Fact fact) { return fact == Fact::NoArea; }));
+  run.report.chosen[number] = inReport(choose(Decision::Part, {}));
   run.report.warnings = joined(std::move(run.report.warnings), {passedOn(original, reason.what())});
 }
 

@@ -216,10 +216,9 @@ constexpr std::array kRules = {
 
     Rule{Decision::Part,
          "no-surface",
-         {is(Fact::NoArea)},
+         {},
          Candidate::Input,
          "No triangle has an area: the mesh is passed on as it came."},
-    Rule{Decision::Part, "as-made", {}, Candidate::AsMade, "The mesh is a surface."},
 
     Rule{Decision::RepairOnly,
          "kept",

@@ -26,7 +26,7 @@ enum class Decision {
   Crossings,   // a result that intersects itself where the input does not
   Written,     // a result rounded to the digits that are written
   Budget,      // a scene with a budget of triangles
-  Part,        // a mesh of a file that may be no surface
+  Part,        // a mesh of a file that is no surface
   RepairOnly,  // repair without remeshing
 };
 
@@ -91,7 +91,6 @@ enum class Fact {
   SimplifiedReplaces,  // same number, hardly farther away, no crossing
   BudgetExceeded,      // by what the parts of the scene need at least
   SimplifiedWithin,    // simplification keeps the budget, or exceeds it by less
-  NoArea,              // each triangle is a line
   Unchanged,           // repair left every coordinate and triangle as it was
 };
 
