@@ -364,6 +364,7 @@ set(small
   src/repair/holes/fairing.cpp
   src/repair/holes/kept_surface.cpp
   src/repair/holes/loop_triangulation.cpp
+  src/repair/holes/nested_loops.cpp
   src/repair/holes/plug.cpp
   src/repair/holes/plug_attributes.cpp
   src/repair/holes/refinement.cpp

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -28,12 +29,11 @@ std::vector<Vec3> ofUsualSize(std::span<const Vec3> polygon) {
 }
 
 // The polygon seen against its normal (Newell's normal: the sum over its edges). A convex corner
-// turns left.
-std::vector<Vec2> flattened(std::span<const Vec3> corners) {
+// turns left. outer: the corners of the outer ring.
+std::vector<Vec2> flattened(std::span<const Vec3> corners, std::size_t outer) {
   const std::vector<Vec3> polygon = ofUsualSize(corners);
   Vec3 normal = Vec3::Zero();
-  for (std::size_t i = 0; i < polygon.size(); ++i)
-    normal += polygon[i].cross(polygon[(i + 1) % polygon.size()]);
+  for (std::size_t i = 0; i < outer; ++i) normal += polygon[i].cross(polygon[(i + 1) % outer]);
   const double length = normal.norm();
   normal = length > 0 ? Vec3(normal / length) : Vec3::UnitZ();
   const Vec3 u = normal.unitOrthogonal();
@@ -46,6 +46,89 @@ std::vector<Vec2> flattened(std::span<const Vec3> corners) {
 double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
+
+// Joins the rings of a polygon with holes: each hole's rightmost corner to one that it sees, there
+// and back.
+class Bridges {
+ public:
+  Bridges(const std::vector<Vec2>& points, std::span<const Index> inner) : points_(points) {
+    const auto all = static_cast<Index>(points.size());
+    ring_.resize(inner.empty() ? all : inner.front());
+    std::iota(ring_.begin(), ring_.end(), Index{0});
+    std::vector<Hole> holes;
+    for (std::size_t i = 0; i < inner.size(); ++i) {
+      Hole hole{inner[i], i + 1 < inner.size() ? inner[i + 1] : all, inner[i]};
+      for (Index c = hole.begin; c < hole.end; ++c)
+        if (points[c].x() > points[hole.rightmost].x()) hole.rightmost = c;
+      holes.push_back(hole);
+    }
+    std::stable_sort(holes.begin(), holes.end(), [&](const Hole& one, const Hole& other) {
+      return points[one.rightmost].x() > points[other.rightmost].x();
+    });
+    for (const Hole& hole : holes) add(hole);
+  }
+
+  const std::vector<Index>& ring() const { return ring_; }
+
+ private:
+  struct Hole {
+    Index begin, end, rightmost;
+  };
+
+  void add(const Hole& hole) {
+    const std::size_t at = seenFrom(points_[hole.rightmost]);
+    std::vector<Index> detour;
+    for (Index c = hole.rightmost; c < hole.end; ++c) detour.push_back(c);
+    for (Index c = hole.begin; c <= hole.rightmost; ++c) detour.push_back(c);
+    detour.push_back(ring_[at]);
+    ring_.insert(ring_.begin() + std::ptrdiff_t(at + 1), detour.begin(), detour.end());
+  }
+
+  const Vec2& point(std::size_t i) const { return points_[ring_[i % ring_.size()]]; }
+
+  // The place in the ring of a corner to the right of p that is seen from there [Eberly,
+  // Triangulation by Ear Clipping, §3]: an end of the edge straight to the right, or what hides it.
+  std::size_t seenFrom(const Vec2& p) const {
+    double nearest = kInfinity;
+    Vec2 end = point(0);
+    for (std::size_t i = 0; i < ring_.size(); ++i) {
+      const Vec2 &a = point(i), &b = point(i + 1);
+      if (!(a.y() <= p.y() && p.y() <= b.y() && a.y() < b.y())) continue;
+      const double x = a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
+      if (x < p.x() || x >= nearest) continue;
+      nearest = x;
+      end = a.x() > b.x() ? a : b;
+    }
+    if (nearest == kInfinity) return 0;
+    const Vec2 straight(nearest, p.y());
+    std::size_t best = 0;
+    std::pair<double, double> least = {kInfinity, kInfinity};  // slope and distance
+    for (std::size_t i = 0; i < ring_.size(); ++i) {
+      const Vec2& q = point(i);
+      if (q != end && !(q.x() > p.x() && isBetween(p, straight, end, q))) continue;
+      if (!opensTo(i, p)) continue;
+      const double ahead = q.x() - p.x(), aside = std::abs(q.y() - p.y());
+      const std::pair<double, double> own = {aside / ahead, ahead};
+      if (own < least) least = own, best = i;
+    }
+    return best;
+  }
+
+  static bool isBetween(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& p) {
+    const double side = turn(a, b, c) > 0 ? 1 : -1;
+    return side * turn(a, b, p) >= 0 && side * turn(b, c, p) >= 0 && side * turn(c, a, p) >= 0;
+  }
+
+  // Whether p lies in the ring's angle at a corner.
+  bool opensTo(std::size_t i, const Vec2& p) const {
+    const Vec2 &a = point(i + ring_.size() - 1), &b = point(i), &c = point(i + 1);
+    const bool isIn = turn(a, b, p) >= 0, isOut = turn(b, c, p) >= 0;
+    return turn(a, b, c) > 0 ? isIn && isOut : isIn || isOut;
+  }
+
+  const std::vector<Vec2>& points_;
+  std::vector<Index> ring_;
+};
 
 bool isStrictlyConvex(const std::vector<Vec2>& points) {
   const std::size_t n = points.size();
@@ -167,15 +250,23 @@ Triangles fan(std::size_t corners) {
 
 std::vector<std::array<Index, 3>> triangulate(std::span<const Vec3> polygon) {
   if (polygon.size() <= 3) return fan(polygon.size());
-  const std::vector<Vec2> points = flattened(polygon);
+  const std::vector<Vec2> points = flattened(polygon, polygon.size());
   return isStrictlyConvex(points) ? fan(polygon.size())
                                   : EarCutter(points, EarCutter::Next::First).cut();
 }
 
-std::vector<std::array<Index, 3>> triangulateEvenly(std::span<const Vec3> polygon) {
+std::vector<std::array<Index, 3>> triangulateEvenly(std::span<const Vec3> polygon,
+                                                    std::span<const Index> inner) {
   if (polygon.size() <= 3) return fan(polygon.size());
-  const std::vector<Vec2> points = flattened(polygon);
-  return EarCutter(points, EarCutter::Next::AllAround).cut();
+  const std::vector<Vec2> points =
+      flattened(polygon, inner.empty() ? polygon.size() : inner.front());
+  const Bridges bridges(points, inner);
+  std::vector<Vec2> ring;
+  for (const Index corner : bridges.ring()) ring.push_back(points[corner]);
+  Triangles triangles = EarCutter(ring, EarCutter::Next::AllAround).cut();
+  for (auto& triangle : triangles)
+    for (Index& corner : triangle) corner = bridges.ring()[corner];
+  return triangles;
 }
 
 }  // namespace remesher

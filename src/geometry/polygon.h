@@ -15,7 +15,10 @@ namespace remesher {
 // give none.
 std::vector<std::array<Index, 3>> triangulate(std::span<const Vec3> polygon);
 
-// The same by ears all around, so that a corner has few triangles where the shape allows it.
-std::vector<std::array<Index, 3>> triangulateEvenly(std::span<const Vec3> polygon);
+// The same by ears all around, so that a corner has few triangles where the shape allows it. With
+// holes: rings that turn the other way follow the outer ring, from the corners in `inner` on; a
+// hole takes two triangles more.
+std::vector<std::array<Index, 3>> triangulateEvenly(std::span<const Vec3> polygon,
+                                                    std::span<const Index> inner = {});
 
 }  // namespace remesher

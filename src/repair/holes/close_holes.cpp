@@ -12,6 +12,7 @@
 #include "repair/holes/fairing.h"
 #include "repair/holes/kept_surface.h"
 #include "repair/holes/loop_triangulation.h"
+#include "repair/holes/nested_loops.h"
 #include "repair/holes/plug_attributes.h"
 #include "repair/holes/refinement.h"
 #include "repair/holes/rims.h"
@@ -25,6 +26,7 @@ using Shapes = std::array<Shape, 3>;
 
 // A disk's shapes, the best first.
 Shapes shapesOf(const BuiltMesh& built, const Loop& loop) {
+  if (!loop.inner.empty()) return {Shape::Planar, Shape::Planar, Shape::Planar};
   if (looksCutOff(built, loop)) return {Shape::Planar, Shape::Smooth, Shape::Bare};
   return {Shape::Smooth, Shape::Flat, Shape::Bare};
 }
@@ -62,6 +64,7 @@ TriangleMesh meshOf(const KeptSurface& kept, const std::vector<Face>& faces) {
 struct Closing {
   Loop loop;
   Shapes shapes;
+  std::vector<Loop> apart = {};  // of a lid with holes: its loops
   std::size_t shape = 0;
   Plug plug = {};
   std::array<std::size_t, std::tuple_size_v<Shapes>> meetings = {};
@@ -72,19 +75,36 @@ class Closer {
   // without: the surface without disks.
   Closer(const KeptSurface& kept, TriangleMesh without, std::vector<Loop> loops)
       : kept_(kept), without_(std::move(without)) {
-    for (Loop& loop : loops) {
-      const Shapes shapes = shapesOf(kept.built, loop);
-      closings_.push_back({std::move(loop), shapes});
+    for (const std::vector<std::size_t>& lid : lidsOf(kept.built, loops)) {
+      std::vector<Loop> apart;
+      if (lid.size() > 1)
+        for (const std::size_t l : lid) apart.push_back(loops[l]);
+      begin(joined(loops, lid), std::move(apart));
     }
-    for (Closing& closing : closings_) choose(closing, 0);
+    for (std::size_t c = closings_.size(); c-- > 0;)
+      if (!closings_[c].apart.empty() && closings_[c].plug.triangles.empty()) takeApart(c);
   }
 
   TriangleMesh run() {
-    for (std::size_t round = 0; round < std::tuple_size_v<Shapes> && retry(); ++round) continue;
+    // Lids with holes that intersect others give way to disks first.
+    for (std::size_t round = 0; round <= std::tuple_size_v<Shapes> && retry(); ++round) continue;
     return assembled();
   }
 
  private:
+  void begin(Loop loop, std::vector<Loop> apart = {}) {
+    const Shapes shapes = shapesOf(kept_.built, loop);
+    closings_.push_back({std::move(loop), shapes, std::move(apart)});
+    choose(closings_.back(), 0);
+  }
+
+  // Each loop of a lid with holes gets a disk.
+  void takeApart(std::size_t closing) {
+    const std::vector<Loop> apart = std::move(closings_[closing].apart);
+    closings_.erase(closings_.begin() + std::ptrdiff_t(closing));
+    for (const Loop& loop : apart) begin(loop);
+  }
+
   void choose(Closing& closing, std::size_t shape) {
     closing.shape = shape;
     closing.plug = plugOf(kept_.built, closing.loop, closing.shapes[shape]);
@@ -107,12 +127,18 @@ class Closer {
         selfIntersectionsFrom(assembled(), Index(without_.triangleCount()));
     std::size_t end = without_.triangleCount(), hit = 0;
     bool isAny = false;
-    for (Closing& closing : closings_) {
+    std::vector<std::size_t> meeting;  // lids with holes
+    for (std::size_t c = 0; c < closings_.size(); ++c) {
+      Closing& closing = closings_[c];
       end += closing.plug.triangles.size();
       std::size_t count = 0;
       for (; hit < hits.size() && hits[hit] < end; ++hit) ++count;
       closing.meetings[closing.shape] = count;
       if (count == 0) continue;
+      if (!closing.apart.empty()) {
+        meeting.push_back(c), isAny = true;
+        continue;
+      }
       if (closing.shape + 1 < closing.shapes.size()) {
         choose(closing, closing.shape + 1), isAny = true;
         continue;
@@ -120,6 +146,7 @@ class Closer {
       const auto least = std::min_element(closing.meetings.begin(), closing.meetings.end());
       choose(closing, std::size_t(least - closing.meetings.begin()));
     }
+    for (; !meeting.empty(); meeting.pop_back()) takeApart(meeting.back());
     return isAny;
   }
 
@@ -141,6 +168,10 @@ void leaveSheets(const BuiltMesh& built, const LoopRule& rule, std::vector<Loop>
   const double mostDisk = rule.mostDisk;
   if (mostDisk == kInfinity || loops.empty()) return;
   DisjointSets components = componentsOfVertices(built.mesh);
+  const std::vector<std::vector<std::size_t>> lids = lidsOf(built, loops);
+  for (const std::vector<std::size_t>& lid : lids)
+    for (const std::size_t l : lid)
+      components.unite(loops[lid.front()].vertices.front().index, loops[l].vertices.front().index);
   const auto componentOf = [&](const Loop& loop) {
     return components.find(loop.vertices.front().index);
   };
@@ -150,10 +181,13 @@ void leaveSheets(const BuiltMesh& built, const LoopRule& rule, std::vector<Loop>
     own[components.find(a.index)] +=
         area(built.positions[a], built.positions[b], built.positions[c]);
   }
-  std::vector<double> areas;  // per loop
-  for (const Loop& loop : loops) {
-    areas.push_back(areaOfDisk(plugOf(built, loop, Shape::Bare)));
-    disks[componentOf(loop)] += areas.back();
+  std::vector<double> areas(loops.size());  // of each loop's lid
+  for (const std::vector<std::size_t>& lid : lids) {
+    double sum = areaOfDisk(plugOf(built, loops[lid.front()], Shape::Bare));
+    for (std::size_t i = 1; i < lid.size(); ++i)
+      sum -= areaOfDisk(plugOf(built, loops[lid[i]], Shape::Bare));
+    for (const std::size_t l : lid) areas[l] = sum;
+    disks[componentOf(loops[lid.front()])] += sum;
   }
   const auto isSheet = [&](Index component) {
     return disks[component] > mostDisk * own[component];

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "base/fires.h"
@@ -238,11 +239,21 @@ void joinToMiddle(const Polygon& polygon, Plug& plug) {
     plug.triangles.push_back({polygon.vertices[i], polygon.vertices[(i + 1) % n], middle});
 }
 
+// Per vertex of a loop the next.
+std::vector<Index> nextOf(const Loop& loop) {
+  std::vector<Index> next(loop.vertices.size());
+  std::iota(next.begin(), next.end(), Index{1});
+  Index begin = 0;
+  for (const Index end : loop.inner) next[end - 1] = std::exchange(begin, end);
+  next.back() = begin;
+  return next;
+}
+
 // Whether two of the plug's vertices that do not follow each other are joined on the surface, too.
 bool repeatsEdges(const HalfedgeMesh& mesh, const Loop& loop, const Plug& plug) {
-  const Index n = Index(loop.vertices.size());
+  const std::vector<Index> next = nextOf(loop);
   const auto isRepeated = [&](Index i, Index k) {
-    if ((i + 1) % n == k || (k + 1) % n == i) return false;
+    if (next[i] == k || next[k] == i) return false;
     return mesh.adjacent(loop.vertices[i], loop.vertices[k]);
   };
   return std::any_of(plug.triangles.begin(), plug.triangles.end(), [&](const Corners3& t) {
@@ -278,8 +289,9 @@ Plug triangulated(const BuiltMesh& built, const Loop& loop) {
 
 Plug triangulatedInPlane(const BuiltMesh& built, const Loop& loop) {
   Plug plug = emptyPlug(built, loop);
-  plug.triangles = triangulateEvenly(plug.points);
-  return repeatsEdges(built.mesh, loop, plug) ? triangulated(built, loop) : plug;
+  plug.triangles = triangulateEvenly(plug.points, loop.inner);
+  if (!repeatsEdges(built.mesh, loop, plug)) return plug;
+  return loop.inner.empty() ? triangulated(built, loop) : emptyPlug(built, loop);
 }
 
 }  // namespace remesher

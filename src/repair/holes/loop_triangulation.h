@@ -13,7 +13,8 @@ namespace remesher {
 // triangulation exists, a new vertex in the middle is joined to all loop vertices that are left.
 Plug triangulated(const BuiltMesh& built, const Loop& loop);
 
-// The same for a loop that lies in a plane and need not be convex: by the ears of its polygon.
+// The same for a loop that lies in a plane and need not be convex: by the ears of its polygon. A
+// lid with holes has no triangles if edges of the surface would be repeated.
 Plug triangulatedInPlane(const BuiltMesh& built, const Loop& loop);
 
 }  // namespace remesher

@@ -20,6 +20,8 @@ struct Loop {
   std::vector<Vertex> vertices;
   std::vector<Halfedge> across;  // of each edge, the halfedge of the surface
   double length = 0;
+  // Of a lid with holes several loops follow each other, the outer one first: where others begin.
+  std::vector<Index> inner = {};
 };
 
 // In the order of their first halfedges.

@@ -23,6 +23,7 @@ class Rim {
     Vec3 normal = Vec3::Zero();
     for (std::size_t i = 0; i < n; ++i)
       normal += (point(i) - place_.at).cross(point((i + 1) % n) - place_.at);
+    area_ = normal.norm() / 2;
     normal_ = normal.stableNormalized();
     for (std::size_t i = 0; i < n; ++i)
       depth_ = std::max(depth_, std::abs((point(i) - place_.at).dot(normal_)));
@@ -37,13 +38,12 @@ class Rim {
   // Few vertices may lie in a plane by chance.
   bool isCutOff() const {
     constexpr std::size_t kMany = 12;
-    constexpr double kWall = 30;
-    if (!isPlanar() || !(turns_.size() >= kMany || isMeant())) return false;
-    std::vector<double> slopes = sortedSlopes();
-    for (double& slope : slopes) slope = std::abs(slope);
-    const auto middle = slopes.begin() + std::ptrdiff_t(slopes.size() / 2);
-    std::nth_element(slopes.begin(), middle, slopes.end());
-    return *middle >= kWall;
+    return isPlanar() && (turns_.size() >= kMany || isMeant()) && isSteep();
+  }
+
+  std::optional<RimPlane> wallPlane() const {
+    if (!isPlanar() || !isSteep()) return std::nullopt;
+    return RimPlane{place_, normal_, area_};
   }
 
  private:
@@ -80,6 +80,15 @@ class Rim {
   bool isPlanar() const {
     constexpr double kFlattest = 0.005;
     return !normal_.isZero(0) && depth() <= kFlattest;
+  }
+
+  bool isSteep() const {
+    constexpr double kWall = 30;
+    std::vector<double> slopes = sortedSlopes();
+    for (double& slope : slopes) slope = std::abs(slope);
+    const auto middle = slopes.begin() + std::ptrdiff_t(slopes.size() / 2);
+    std::nth_element(slopes.begin(), middle, slopes.end());
+    return *middle >= kWall;
   }
 
   // Convex and smooth. Of few edges only a regular polygon is round: the star of a vertex that is
@@ -184,6 +193,7 @@ class Rim {
   const Loop& loop_;
   const SizedPlace place_;
   Vec3 normal_ = Vec3::Zero();
+  double area_ = 0;
   double depth_ = 0;  // the largest distance from the plane
   std::vector<Turn> turns_;
 };
@@ -210,5 +220,9 @@ SizedPlace placeOf(const BuiltMesh& built, const Loop& loop) {
 bool looksMeant(const BuiltMesh& built, const Loop& loop) { return Rim(built, loop).isMeant(); }
 
 bool looksCutOff(const BuiltMesh& built, const Loop& loop) { return Rim(built, loop).isCutOff(); }
+
+std::optional<RimPlane> wallPlane(const BuiltMesh& built, const Loop& loop) {
+  return Rim(built, loop).wallPlane();
+}
 
 }  // namespace remesher

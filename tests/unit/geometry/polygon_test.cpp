@@ -35,6 +35,14 @@ void checkCovers(const std::vector<Vec3>& polygon) {
   }
 }
 
+// A ring of n corners around a point; with a negative radius it turns the other way.
+void addRing(std::vector<Vec3>& corners, int n, double radius, double x, double y) {
+  for (int i = 0; i < n; ++i) {
+    const double angle = 2 * std::numbers::pi * i / n;
+    corners.emplace_back(x + std::abs(radius) * std::cos(angle), y + radius * std::sin(angle), 0);
+  }
+}
+
 }  // namespace
 
 TEST_CASE("polygon: a convex polygon becomes a fan of its first corner") {
@@ -77,6 +85,31 @@ TEST_CASE("polygon: cut evenly, a corner of a circle has few triangles") {
   for (const auto& t : triangulateEvenly(circle))
     for (const Index corner : t) ++counts[corner];
   CHECK(*std::max_element(counts.begin(), counts.end()) < 32);
+}
+
+TEST_CASE("polygon: with holes the rest is covered without folds") {
+  std::vector<Vec3> plate;
+  addRing(plate, 4, 6, 0, 0);
+  std::vector<Index> inner;
+  double area = 72;
+  for (const double x : {-2.0, 0.0, 2.0})
+    for (const double y : {-2.0, 0.0, 2.0}) {
+      const int n = 5 + int(x - 2 * y + 6);
+      inner.push_back(Index(plate.size()));
+      addRing(plate, n, -0.9, x, y);
+      area -= 0.5 * n * 0.81 * std::sin(2 * std::numbers::pi / n);
+    }
+  for (Vec3& p : plate) p = {p.y() - p.x(), p.x(), p.x() + p.y()};
+  const auto triangles = triangulateEvenly(plate, inner);
+  CHECK(triangles.size() == plate.size() + 2 * inner.size() - 2);
+  const std::vector<Vec3> outer(plate.begin(), plate.begin() + 4);
+  double sum = 0;
+  for (const auto& [a, b, c] : triangles) {
+    const Vec3 own = (plate[b] - plate[a]).cross(plate[c] - plate[a]) / 2;
+    CHECK(own.dot(areaOf(outer)) >= 0);
+    sum += own.norm();
+  }
+  CHECK(sum == doctest::Approx(area * areaOf(outer).norm() / 2 / 72));
 }
 
 TEST_CASE("polygon: collapsed polygons still give n - 2 triangles") {

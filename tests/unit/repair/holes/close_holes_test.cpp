@@ -17,6 +17,7 @@
 #include "support/hostile_shapes.h"
 #include "support/shapes.h"
 #include "support/soups.h"
+#include "support/volume_of.h"
 
 using namespace remesher;
 
@@ -146,14 +147,38 @@ TEST_CASE("close_holes: a planar loop in a smooth surface is closed smoothly") {
   CHECK(farthestFromSphere(open, closed.mesh) < (1 - std::cos(std::numbers::pi / 9)) / 5);
 }
 
-TEST_CASE("close_holes: of two shells that end in one plane both are closed, without meeting") {
+TEST_CASE("close_holes: walls around material that end in one plane get a lid with holes") {
+  const auto tube = [](int n, double radius, double x) {
+    return wall(n, 2, [=](int k, double up) {
+      return Vec3(radius * shapes::onCircle(k, n) + Vec3(x, 0, 3 * up));
+    });
+  };
+  const auto areaAcross = [](int n, double radius) {
+    return 0.5 * n * radius * radius * std::sin(2 * std::numbers::pi / n);
+  };
+  // Two bores, and in one of them a tube.
+  const TriangleMesh open = soups::joined({tube(32, 2, 0), shapes::turnedOver(tube(20, 0.7, 1)),
+                                           shapes::turnedOver(tube(4, 0.8, -1)), tube(12, 0.5, 1),
+                                           shapes::turnedOver(tube(5, 0.3, 1))});
+  const ClosedHoles closed = closeHoles(open);
+  CHECK(closed.holes == 10);
+  checkUntouched(open, closed.mesh);
+  CHECK(isClosedManifold(closed.mesh));
+  CHECK(selfIntersections(closed.mesh).empty());
+  CHECK(inspectMesh(closed.mesh).components == 2);
+  CHECK(shapes::volumeOf(closed.mesh) ==
+        doctest::Approx(3 * (areaAcross(32, 2) - areaAcross(20, 0.7) - areaAcross(4, 0.8) +
+                             areaAcross(12, 0.5) - areaAcross(5, 0.3))));
+}
+
+TEST_CASE("close_holes: shells that face the same way get a disk each, also in one plane") {
   const TriangleMesh outer =
       wall(32, 6, [](int k, double up) { return Vec3(shapes::onCircle(k, 32) + Vec3(0, 0, up)); });
-  TriangleMesh inner = shapes::turnedOver(outer);
+  TriangleMesh inner = outer;
   for (Vec3& p : inner.positions) p.x() *= 0.8, p.y() *= 0.8;
   const ClosedHoles closed = closeHoles(soups::joined({outer, inner}));
   CHECK(closed.holes == 4);
-  CHECK(selfIntersections(closed.mesh).empty());
+  CHECK(inspectMesh(closed.mesh).components == 2);
 }
 
 TEST_CASE("close_holes: each loop gets a disk, so that each adds one to the Euler characteristic") {
