@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 #include "base/legible.h"
 #include "geometry/triangle.h"
@@ -42,12 +43,35 @@ bool bends(const BuiltMesh& built, Halfedge h, double cosAngle) {
   return normal(mesh.face(h)).dot(normal(mesh.face(mesh.twin(h)))) < cosAngle;
 }
 
-// Whether the attribute has different values on the two sides, at either end of the edge.
-bool jumps(const BuiltMesh& built, const Attribute& attribute, Halfedge h) {
+// Whether the attribute has different values on the two sides at the origin of h.
+bool jumpsAtOrigin(const BuiltMesh& built, const Attribute& attribute, Halfedge h) {
   const HalfedgeMesh& mesh = built.mesh;
-  const Halfedge t = mesh.twin(h);
-  return differ(attribute, built.wedges[h], built.wedges[mesh.next(t)]) ||
-         differ(attribute, built.wedges[mesh.next(h)], built.wedges[t]);
+  return differ(attribute, built.wedges[h], built.wedges[mesh.next(mesh.twin(h))]);
+}
+
+// The same, at either end of the edge.
+bool jumps(const BuiltMesh& built, const Attribute& attribute, Halfedge h) {
+  return jumpsAtOrigin(built, attribute, h) || jumpsAtOrigin(built, attribute, built.mesh.twin(h));
+}
+
+// Without the edges that jump at one end only, where several others do so, too.
+std::vector<Halfedge> withoutPoles(const BuiltMesh& built, const Attribute& attribute,
+                                   std::vector<Halfedge> edges) {
+  constexpr Index kMostEnds = 2;  // seams may end there
+  const auto onlyEnd = [&](Halfedge h) {
+    const Halfedge twin = built.mesh.twin(h);
+    const bool isAtOrigin = jumpsAtOrigin(built, attribute, h);
+    if (isAtOrigin == jumpsAtOrigin(built, attribute, twin)) return Vertex();
+    return built.mesh.origin(isAtOrigin ? h : twin);
+  };
+  VertexData<Index> ends(built.mesh.vertexCapacity(), 0);
+  for (const Halfedge h : edges)
+    if (const Vertex v = onlyEnd(h)) ++ends[v];
+  std::erase_if(edges, [&](Halfedge h) {
+    const Vertex v = onlyEnd(h);
+    return v && ends[v] > kMostEnds;
+  });
+  return edges;
 }
 
 bool isTexture(const Attribute& attribute) {
@@ -89,6 +113,7 @@ std::vector<Halfedge> linesAmong(const HalfedgeMesh& mesh, const std::vector<Hal
 struct Edges {
   std::vector<Halfedge> inner;
   double cosHardNormal;
+  Poles poles;
 };
 
 void addAttributeSeams(const BuiltMesh& built, const Attribute& attribute, const Edges& edges,
@@ -108,13 +133,15 @@ void addAttributeSeams(const BuiltMesh& built, const Attribute& attribute, const
                               found.size()});
     return;
   }
+  if (!shading) seams.jumps.insert(seams.jumps.end(), found.begin(), found.end());
+  if (!shading && edges.poles == Poles::Left)
+    found = withoutPoles(built, attribute, std::move(found));
   for (const Halfedge h : found)
     if (!shading || bends(built, h, edges.cosHardNormal)) seams.edges.push_back(h);
   if (shading)
     for (const Halfedge h : linesAmong(built.mesh, found))
       if (bends(built, h, kBlunt) && !bends(built, h, edges.cosHardNormal))
         seams.edges.push_back(h);
-  if (!shading) seams.jumps.insert(seams.jumps.end(), found.begin(), found.end());
   if (!isTexture(attribute)) return;
   for (const Halfedge h : edges.inner)
     if (mirrors(built, attribute, h)) seams.edges.push_back(h);
@@ -122,11 +149,12 @@ void addAttributeSeams(const BuiltMesh& built, const Attribute& attribute, const
 
 }  // namespace
 
-Seams findSeams(const BuiltMesh& built, const TriangleMesh& input, double hardNormalAngle) {
+Seams findSeams(const BuiltMesh& built, const TriangleMesh& input, double hardNormalAngle,
+                Poles poles) {
   const HalfedgeMesh& mesh = built.mesh;
   Seams seams;
   if (input.groups.empty() && input.attributes.empty()) return seams;
-  Edges edges{{}, std::cos(radians(hardNormalAngle))};
+  Edges edges{{}, std::cos(radians(hardNormalAngle)), poles};
   for (Index i = 0; i < mesh.halfedgeCapacity(); ++i)
     if (mesh.isEdge(Halfedge(i)) && !mesh.isBoundary(Halfedge(i)))
       edges.inner.push_back(Halfedge(i));

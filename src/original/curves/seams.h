@@ -20,8 +20,14 @@ struct Seams {
   std::vector<Warning> warnings;       // ATTRIBUTE_HAS_NO_CHARTS for each of those
 };
 
+// Across the edges around the pole of a sphere, whose texture coordinates are a grid's, these jump
+// at the pole only, and no texture bleeds over more than the corner of one triangle. Left: they are
+// among the jumps, but not among the edges.
+enum class Poles { Followed, Left };
+
 // hardNormalAngle: degrees. A jump of NORMAL or TANGENT counts only where the surface itself bends
 // by this angle, or along lines by 5°; elsewhere the file is merely flat-shaded.
-Seams findSeams(const BuiltMesh& built, const TriangleMesh& input, double hardNormalAngle);
+Seams findSeams(const BuiltMesh& built, const TriangleMesh& input, double hardNormalAngle,
+                Poles poles = Poles::Followed);
 
 }  // namespace remesher

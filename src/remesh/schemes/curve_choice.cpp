@@ -95,7 +95,7 @@ CurveCandidates curveCandidates(const BuiltMesh& built, const TriangleMesh& inpu
   const bool byDefault = options.scheme == Scheme::Best;
   const bool isDetecting = options.detectFeatures && (byDefault || options.featureAngle);
   if (isDetecting) add(edges.free, detectFeatures(built.mesh, built.positions, {angle, size}));
-  Seams seams = findSeams(built, input, angle);
+  Seams seams = findSeams(built, input, angle, options.quads ? Poles::Left : Poles::Followed);
   add(edges.free, seams.edges);
   add(edges.fixed, seams.borders);
   return {std::move(edges), std::move(seams), isDetecting};
