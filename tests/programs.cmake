@@ -262,6 +262,7 @@ add_executable(unit_tests
   tests/unit/textures/bake_onto_test.cpp
   tests/unit/textures/charts/atlas_figures_test.cpp
   tests/unit/textures/charts/chart_overlap_test.cpp
+  tests/unit/textures/charts/chart_relaxing_test.cpp
   tests/unit/textures/charts/unwrap_test.cpp
   tests/unit/textures/new_texcoords_test.cpp
   tests/unit/textures/painting/cage_finder_test.cpp

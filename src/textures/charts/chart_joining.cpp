@@ -103,9 +103,12 @@ class Joining {
     for (std::vector<Index>& triangles : triangles_) {
       if (triangles.empty()) continue;
       PlaneChart plane;
-      for (const Index t : triangles)
+      PlaneReach reach;
+      for (const Index t : triangles) {
         plane.push_back({corners_[3 * t], corners_[3 * t + 1], corners_[3 * t + 2]});
-      result.push_back({std::move(triangles), std::move(plane)});
+        for (const Vec2& p : plane.back()) reach.add(p);
+      }
+      result.push_back({std::move(triangles), std::move(plane), reach.longest()});
     }
     return result;
   }
@@ -301,7 +304,6 @@ class Joining {
   std::vector<Index> chartOf_;  // per triangle
   std::vector<Index> versions_;
   std::vector<std::vector<Index>> triangles_;  // per chart
-  double longestJoined_ = 0;                   // of a union of short charts
   std::vector<Index> place_;                   // per triangle its number in the current chart
   std::vector<Offer> offers_;
   // By the shared length, as a share of the shorter border of the two charts.

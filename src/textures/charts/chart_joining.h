@@ -13,6 +13,7 @@ namespace remesher {
 struct FlatChart {
   std::vector<Index> triangles;
   PlaneChart plane;  // the same triangles, about as large as on the surface
+  double length;     // the longest extent, about
 };
 
 // In the plane no triangle is turned over and none covers another. Areas are even to within 1 /

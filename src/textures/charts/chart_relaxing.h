@@ -2,7 +2,9 @@
 // Relaxes a chart in the plane, so that its triangles come closer to their shape on the surface.
 // Each round fits every triangle's true shape onto its place, then moves each vertex to the mean of
 // the places that its triangles ask for [Liu et al. 2008, A Local/Global Approach to Mesh
-// Parameterization; Bouaziz et al. 2012, Shape-Up]. Triangles that stay untrue weigh more and more.
+// Parameterization; Bouaziz et al. 2012, Shape-Up], or further in the same direction [Wang 2015, A
+// Chebyshev Semi-Iterative Approach for Accelerating Projective and Position-based Dynamics].
+// Triangles that stay untrue weigh more and more.
 #pragma once
 
 #include <array>

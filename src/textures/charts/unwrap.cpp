@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "textures/charts/unwrap.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -18,11 +19,17 @@ namespace {
 // multiples of the side of a square of the whole surface's area. Shorter charts, which are more,
 // are taken only if they are drawn larger by kWorthMore.
 constexpr std::array kLongest = {kInfinity, 1.3, 0.9};
-constexpr double kFull = 0.5, kWorthMore = 1.07;
+constexpr double kFull = 0.58, kWorthMore = 1.03;
 
 struct Layout {
   std::vector<FlatChart> charts;
   Packing packing = {{}, 0};
+
+  double longest() const {
+    double longest = 0;
+    for (const FlatChart& chart : charts) longest = std::max(longest, chart.length);
+    return longest;
+  }
 };
 
 double areaOf(const UnwrapInput& mesh) {
@@ -37,6 +44,8 @@ Layout laidOut(const ChartSurface& surface, double area, const PackingRules& rul
   const std::vector<Chart> grown = growCharts(surface);
   Layout best;
   for (const double longest : kLongest) {
+    // A limit that no chart exceeds changes nothing.
+    if (!best.charts.empty() && best.longest() <= longest * std::sqrt(area)) continue;
     Layout next{layFlat(surface, grown, longest * std::sqrt(area))};
     std::vector<PlaneChart> flat;
     for (const FlatChart& chart : next.charts) flat.push_back(chart.plane);
