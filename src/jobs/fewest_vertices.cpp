@@ -30,11 +30,10 @@ constexpr double kMostOfFew = 10'000;
 // Triangles whose smallest angles are narrower than this on average are called uneven, degrees.
 constexpr double kUneven = 25;
 
-// vertices: of isotropic triangles that keep the bound.
-Warning evenTakeMore(std::size_t vertices) {
+// need: the vertices of isotropic triangles that keep the bound.
+Warning evenTakeMore(const std::string& need) {
   return {"ISOTROPIC_TAKES_MORE",
-          "Fewer vertices keep the bound, in uneven triangles. Isotropic ones need about " +
-              std::to_string(vertices) + " vertices: ask for that number to get them."};
+          "Fewer vertices keep the bound, in uneven triangles. Isotropic ones need " + need};
 }
 
 class FewestSearch {
@@ -53,6 +52,11 @@ class FewestSearch {
   // is multiplied by kNearEnough until a finished mesh keeps the bound, up to kStep × the draft's.
   RemeshOutcome fewest() {
     const double drafted = search(ownVertices() / (kStep * kStep * kStep));
+    // A finished mesh of all vertices, every step of which is proven, takes many times as long.
+    if (drafted == 0 && tried_.fails > 0)
+      if (std::optional<RemeshOutcome> kept = ownInstead(true))
+        return withNote(std::move(*kept),
+                        "more than " + std::to_string(Index(tried_.fails)) + " vertices.");
     options_.quality = asked_.quality;
     options_.tooFew = asked_.tooFew;
     for (double next = drafted; next > 0 && next <= kStep * drafted; next *= kNearEnough) {
@@ -67,21 +71,33 @@ class FewestSearch {
 
   // The outcome, or the vertices that the shape needs if these are fewer and may be taken.
   RemeshOutcome fewer(RemeshOutcome outcome) {
-    const double own = ownVertices();
+    std::optional<RemeshOutcome> kept = ownInstead(double(outcome.vertices) > ownVertices());
+    if (!kept) return outcome;
+    if (outcome.stopped != Stopped::Target) return std::move(*kept);
+    return withNote(std::move(*kept), "about " + std::to_string(outcome.vertices) +
+                                          " vertices: ask for that number to get them.");
+  }
+
+  // The vertices that the shape needs, where they may be taken; takesMore: whether isotropic
+  // triangles take more than the input has.
+  std::optional<RemeshOutcome> ownInstead(bool takesMore) {
     std::optional<RemeshOutcome> kept;
     const Rule& rule = choose(Decision::Bound, [&](Fact fact) {
       if (fact == Fact::QuadsAsked) return asked_.quads;
       if (fact == Fact::IsotropicAsked) return asked_.prefer == Prefer::Even;
-      if (fact == Fact::MoreThanInput) return double(outcome.vertices) > own;
+      if (fact == Fact::MoreThanInput) return takesMore;
       if (fact != Fact::OwnWithinBound) return false;
       kept = simplest({});
       return kept.has_value();
     });
-    if (rule.taken == Candidate::AsMade) return outcome;
+    if (rule.taken == Candidate::AsMade) return std::nullopt;
     kept->chosen = inReport(rule);
-    if (outcome.stopped == Stopped::Target && inspectMesh(kept->mesh).minAngle.mean < kUneven)
-      kept->warnings.push_back(evenTakeMore(outcome.vertices));
-    return std::move(*kept);
+    return kept;
+  }
+
+  static RemeshOutcome withNote(RemeshOutcome kept, const std::string& need) {
+    if (inspectMesh(kept.mesh).minAngle.mean < kUneven) kept.warnings.push_back(evenTakeMore(need));
+    return kept;
   }
 
   // The vertices that the shape needs: the number asked for, or as few as keep the bound.

@@ -19,7 +19,8 @@ bool hasNumber(const RemeshOptions& options);
 // bound, but measured.
 bool asksForFewest(const RemeshOptions& options);
 
-// Drafts find the number within a tenth; if no draft keeps the bound, it is the input's own number.
+// Drafts find the number within a tenth; if no draft keeps the bound, the vertices that the shape
+// needs are taken, or if they may not be, the input's own number.
 // Of a raised number the outcome says MaxError, also if no number is enough. ISOTROPIC_TAKES_MORE,
 // if the input's own triangles are taken, and uneven. Throws the Errors of remeshSurface.
 RemeshOutcome remeshToFewest(const TriangleMesh& input, Welding welding,

@@ -52,6 +52,19 @@ TEST_CASE("fewest vertices: no more than the input has, which keeps every bound 
   }
 }
 
+TEST_CASE(
+    "fewest vertices: where no isotropic triangles keep the bound, those the shape needs do") {
+  // Sides of many triangles with notches, which isotropic triangles round off.
+  TriangleMesh block = shapes::grid(24, 24);
+  for (std::size_t v = 0; v < block.positions.size(); ++v)
+    if (v % 7 == 0 && v % 25 < 8) block.positions[v].z() += 0.01;
+  const RemeshOutcome made = withinOnly(block, 1e-4);
+  CHECK(made.stopped == Stopped::Target);
+  CHECK(made.chosen.rule == "own-triangles");
+  CHECK(2 * made.vertices < block.positions.size());
+  CHECK(measureFidelity(block, made.mesh).hausdorff <= 1e-4);
+}
+
 TEST_CASE("fewest vertices: of the smallest surfaces too the search ends") {
   for (const double bound : {0.02, 0.1, 2.0}) {
     const RemeshOutcome made = withinOnly(shapes::bowTie(), bound);
