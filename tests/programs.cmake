@@ -45,6 +45,7 @@ add_executable(unit_tests
   tests/unit/io/gltf/tree/gltf_extensions_test.cpp
   tests/unit/io/gltf/tree/gltf_levels_test.cpp
   tests/unit/io/gltf/tree/gltf_pointers_test.cpp
+  tests/unit/io/model/bake_test.cpp
   tests/unit/io/model/byte_reader_test.cpp
   tests/unit/io/model/companions_test.cpp
   tests/unit/io/model/conventions_test.cpp

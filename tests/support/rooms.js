@@ -47,7 +47,7 @@ export const coreRooms = {
   'repair/solid': ['base', 'mesh', 'geometry', 'measure'],
   repair: ['base', 'mesh', 'geometry', 'measure', 'arrangement', 'contact', 'repair/holes',
     'repair/solid'],
-  'io/model': ['base'],
+  'io/model': ['base', 'mesh'],
   'io/text': ['base', 'geometry', 'io/model'],
   'io/ply': ['base', 'geometry', 'io/model', 'io/text'],
   'io/stl': ['base', 'io/model', 'io/text'],

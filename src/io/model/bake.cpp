@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "mesh/joining.h"
 
 namespace remesher::io {
 namespace {
@@ -41,6 +42,7 @@ bool isWhereItIs(const Transform& instance) {
 }  // namespace
 
 void transformMesh(TriangleMesh& mesh, const Transform& transform) {
+  unifyPlaces(mesh.positions);  // what is rounding around zero is none elsewhere
   for (Vec3& position : mesh.positions) position = transform * position;
   // Directions do not depend on the matrix's size, so it is scaled first: otherwise its determinant
   // could overflow or vanish.
@@ -71,6 +73,7 @@ void makeBodies(Model& model) {
       bodies.push_back({part.name, part.mesh, {Transform::Identity()}, part.groups});
       bodies.back().mesh.steps.reset();
       if (isWhereItIs(instance)) continue;
+      joinNoise(bodies.back().mesh);
       transformMesh(bodies.back().mesh, instance);
       bodies.back().mesh.isSingle = false;
     }

@@ -9,8 +9,8 @@
 
 namespace remesher::io {
 
-// Normals stay perpendicular to the surface. A mirroring transform reverses the triangles, so that
-// outside stays outside.
+// Positions that are one place stay one. Normals stay perpendicular to the surface. A mirroring
+// transform reverses the triangles, so that outside stays outside.
 void transformMesh(TriangleMesh& mesh, const Transform& transform);
 
 // Makes each shown instance a part of its own, except of coarser levels of detail and of instances
