@@ -20,6 +20,8 @@ constexpr double kAlign = 0.04, kCling = 0.05;
 constexpr double kLead = 4;
 // Rounds of smoothing.
 constexpr int kSmoothings = 20;
+// The sum of the crosses of edges at 45°, up to rounding.
+constexpr double kOpposed = 1e-6;
 
 struct Wish {
   Complex cross = 0;  // of size 1
@@ -27,22 +29,22 @@ struct Wish {
   bool isFixed = false;
 };
 
-// Whether two edges on curves meet at less than 45° in a triangle.
-bool isAcute(const WorkingMesh& mesh, const FaceFrames& frames, Face f) {
-  for (int corner = 0; corner < 3; ++corner) {
-    const Halfedge h = HalfedgeMesh::halfedge(f, corner), back = HalfedgeMesh::prev(h);
-    if (!mesh.isCurve(h) || !mesh.isCurve(back)) continue;
-    const Vec2 out = frames.edge(h), other = -frames.edge(back);
-    if (cross(out, other) < out.dot(other)) return true;
-  }
-  return false;
+// The cross along two edges on curves that meet in a triangle; h leaves their corner. Their mean,
+// turned by 45° where they meet at less than 45°, so that each edge follows a direction of its own:
+// along the same direction the triangle would have no area in the map. At 45° both ways meet.
+Complex alongTwo(const FaceFrames& frames, Halfedge h) {
+  const Vec2 out = frames.edge(h), other = -frames.edge(HalfedgeMesh::prev(h));
+  const Complex along = std::polar(1.0, 4 * frames.angle(h));
+  const Complex sum = along + std::polar(1.0, 4 * frames.angle(HalfedgeMesh::prev(h)));
+  const double size = std::abs(sum);
+  if (size <= kOpposed) return along * Complex(0, -1);
+  return (cross(out, other) < out.dot(other) ? -sum : sum) / size;
 }
 
-// For a triangle with edges on curves, the mean of the crosses of these edges. Where two of them
-// meet at less than 45° the mean is turned by 45°, so that each edge follows a direction of its
-// own: along the same direction the triangle would have no area in the map.
+// For a triangle with edges on curves, the mean of the crosses of these edges.
 Complex alongCurves(const WorkingMesh& mesh, const FaceFrames& frames, Face f) {
   Complex sum = 0, first = 0;
+  Halfedge between;
   int count = 0;
   for (int corner = 0; corner < 3; ++corner) {
     const Halfedge h = HalfedgeMesh::halfedge(f, corner);
@@ -50,10 +52,10 @@ Complex alongCurves(const WorkingMesh& mesh, const FaceFrames& frames, Face f) {
     const Complex cross = std::polar(1.0, 4 * frames.angle(h));
     if (count++ == 0) first = cross;
     sum += cross;
+    if (mesh.isCurve(HalfedgeMesh::prev(h))) between = h;
   }
-  constexpr double kOpposed = 1e-6;  // edges at 45°, up to rounding
-  if (std::abs(sum) <= kOpposed) return first;
-  return (count == 2 && isAcute(mesh, frames, f) ? -sum : sum) / std::abs(sum);
+  if (count == 2) return alongTwo(frames, between);
+  return std::abs(sum) > kOpposed ? sum / std::abs(sum) : first;
 }
 
 FaceData<Wish> makeWishes(const WorkingMesh& mesh, const FaceFrames& frames, double length,

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -73,6 +74,34 @@ TEST_CASE("cross_field: crosses lie along curves") {
       CHECK(offCross(field.frames.angle(h) - field.field.angle[HalfedgeMesh::face(h)]) < 1e-6);
     }
     CHECK(seen > 0);
+  }
+}
+
+// A square's half, divided at the middle of its diagonal, as by a plane that mirrors the square.
+TEST_CASE("cross_field: curves that meet at 45° in a triangle lie along different directions") {
+  for (Index first = 0; first < 3; ++first) {
+    CAPTURE(first);
+    TriangleMesh half;
+    half.positions = {{0, 0, 0}, {1, 1, 0}, {2, 2, 0}, {0, 2, 0}};
+    for (const std::array<Index, 3>& triangle : {std::array<Index, 3>{0, 1, 3}, {1, 2, 3}})
+      for (Index k = 0; k < 3; ++k) half.indices.push_back(triangle[(first + k) % 3]);
+    const Field field(half);
+    const HalfedgeMesh& mesh = field.mesh.mesh();
+    std::size_t seen = 0;
+    for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
+      const Halfedge out(i), other = HalfedgeMesh::prev(out);
+      if (!field.mesh.isCurve(out) || !field.mesh.isCurve(other)) continue;
+      ++seen;
+      const double cross = field.field.angle[HalfedgeMesh::face(out)];
+      long quarters = 0;
+      for (const Halfedge h : {out, other}) {
+        const double off = field.frames.angle(h) - cross;
+        CHECK(offCross(off) == doctest::Approx(std::numbers::pi / 8));
+        quarters += std::lround(off / (std::numbers::pi / 2));
+      }
+      CHECK(std::abs(quarters) % 2 == 1);
+    }
+    CHECK(seen == 2);
   }
 }
 
