@@ -62,11 +62,17 @@ TEST_CASE("hostile: shapes without a sane triangle end in a mesh") {
     for (const Scheme scheme : {Scheme::Best, Scheme::Rounds}) {
       CAPTURE(shape.name);
       CAPTURE(int(scheme));
-      RemeshOptions options;
-      options.scheme = scheme;
-      checked(shape.mesh, options);
       checked(shape.mesh, toVertices(60, scheme));
+      RemeshOptions own;
+      own.scheme = scheme;
+      own.prefer = Prefer::Even;
+      checked(shape.mesh, own);
     }
+}
+
+TEST_CASE("hostile: without a number the search for one ends, too") {
+  checked(shapes::needles(16, 1e-9), {});
+  checked(shapes::nearlyOnALine(20, 1e-15), {});
 }
 
 TEST_CASE("hostile: a triangle without area is refused in a sentence") {
@@ -223,7 +229,7 @@ TEST_CASE("hostile: an error bound finer than any mesh keeps the original, split
   RemeshOptions options;
   options.maxError = 1e-9;
   options.splitObtuse = true;
-  const TriangleMesh sphere = shapes::icosphere(8);
+  const TriangleMesh sphere = shapes::icosphere(4);
   const Report report = checked(sphere, options).report;
   CHECK(report.output->vertices < 2 * report.input.vertices);
   CHECK(report.fidelity->hausdorff <= 1e-9);

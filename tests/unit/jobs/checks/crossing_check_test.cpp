@@ -52,10 +52,10 @@ TEST_CASE("crossing check: parts are looked at together, where they are shown") 
 TEST_CASE("crossing check: a run makes no self-intersections, or says how many") {
   // Two spheres, one in the other, nearer to each other than edges of the result can follow.
   for (const double inner : {0.97, 0.99}) {
-    TriangleMesh ball = shapes::icosphere(16), core = shapes::turnedOver(ball);
+    TriangleMesh ball = shapes::icosphere(8), core = shapes::turnedOver(ball);
     for (Vec3& p : core.positions) p *= inner;
     const TriangleMesh shell = soups::joined({ball, core});
-    for (const Index vertices : {120U, 500U}) {
+    for (const Index vertices : {120U, 300U}) {
       CAPTURE(inner);
       CAPTURE(vertices);
       RemeshOptions options;
