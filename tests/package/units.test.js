@@ -10,9 +10,9 @@ import { after, test } from 'node:test';
 import { convertFile, inspect, remesh, remeshFile, repairFile } from 'remesher';
 import { checkOptions, inJavaScript } from 'remesher/options';
 
-import { inModelUnits, lengthFrom, lengthInWords } from '../../dist/base/lengths.js';
+import { inModelUnits, lengthFrom, lengthInWords, threemfUnits } from '../../dist/base/lengths.js';
 import { rejectsWith } from '../support/errors.js';
-import { root } from '../support/tree.js';
+import { readText, root } from '../support/tree.js';
 import { offText, torus } from '../support/shapes.js';
 
 const folder = mkdtempSync(join(tmpdir(), 'remesher-units-'));
@@ -22,6 +22,12 @@ const ring = torus({ columns: 40, rows: 20 });
 const off = new TextEncoder().encode(offText(ring));
 const diagonal = Math.hypot(5.6, 5.6, 1.6);
 const draft = { quality: /** @type {const} */ ('draft'), worker: false };
+
+test('the core and JavaScript know the same units, of the same lengths', () => {
+  const rows = readText('src/io/model/units.cpp').matchAll(/\{"(\w+)", ([\d.e-]+)\}/g);
+  assert.deepEqual([...rows].map(([, name, metres]) => [name, Number(metres)]),
+    Object.entries(threemfUnits).map(([name, { metres }]) => [name, metres]));
+});
 
 test('what is a length is read, and what is none is not', () => {
   assert.deepEqual(lengthFrom('0.1mm'), { value: 0.1, unit: 'mm' });

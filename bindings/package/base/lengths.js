@@ -11,18 +11,25 @@ export const units = /** @type {const} */ ([
   'mm', 'cm', 'm', 'in',
 ]);
 
-/** Metres; also of units that only 3MF has. */
-const metres = /** @type {Record<string, number>} */ (
-  { mm: 0.001, cm: 0.01, m: 1, in: 0.0254, 'µm': 1e-6, ft: 0.3048 });
-
-/** The names that 3MF has for them. */
-const ofThreemf = /** @type {Record<string, string>} */ ({ micron: 'µm', millimeter: 'mm',
-  centimeter: 'cm', meter: 'm', inch: 'in', foot: 'ft' });
+/** The units of 3MF, by its names for them: ours, and their lengths in metres, as
+ * src/io/model/units.cpp has them: a test compares both.
+ * @type {Record<string, { symbol: string, metres: number }>} */
+export const threemfUnits = {
+  micron: { symbol: 'µm', metres: 1e-6 },
+  millimeter: { symbol: 'mm', metres: 1e-3 },
+  centimeter: { symbol: 'cm', metres: 1e-2 },
+  meter: { symbol: 'm', metres: 1 },
+  inch: { symbol: 'in', metres: 0.0254 },
+  foot: { symbol: 'ft', metres: 0.3048 },
+};
 
 /** What 3MF calls a unit. @param {unknown} unit @returns {string | undefined} */
 export function threemfNameOf(unit) {
-  return Object.keys(ofThreemf).find((name) => ofThreemf[name] === unit);
+  return Object.keys(threemfUnits).find((name) => threemfUnits[name].symbol === unit);
 }
+
+/** @param {string} unit */
+const metresIn = (unit) => threemfUnits[String(threemfNameOf(unit))].metres;
 
 const written = /^((?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)\s*(mm|cm|m|in)$/i;
 
@@ -55,7 +62,7 @@ function threemfUnit(bytes) {
   const text = new TextDecoder().decode(bytes.subarray(0, 16384));
   const tag = /<(?:\w+:)?model\b[^>]*3dmanufacturing[^>]*>/.exec(text)?.[0];
   if (!tag) return undefined;
-  return ofThreemf[/\bunit\s*=\s*["'](\w+)["']/.exec(tag)?.[1] ?? 'millimeter'];
+  return threemfUnits[/\bunit\s*=\s*["'](\w+)["']/.exec(tag)?.[1] ?? 'millimeter']?.symbol;
 }
 
 /**
@@ -101,7 +108,7 @@ export function inModelUnits(options, unit) {
       continue;
     }
     if (unit === undefined) throw unitMissing(name, value);
-    const size = (length.value * metres[length.unit]) / metres[unit];
+    const size = (length.value * metresIn(length.unit)) / metresIn(unit);
     if (plainLengths.includes(name)) result[name] = size;
     else lengths[name] = size;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Units of length, as 3MF calls them.
+// Units of length, as 3MF calls them; JavaScript has the same in base/lengths.js.
 #pragma once
 
 #include <string>
