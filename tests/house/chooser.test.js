@@ -4,7 +4,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { readText } from '../support/tree.js';
+import { filesUnder, readText } from '../support/tree.js';
 
 /** `simplifiedNearer` → `simplified nearer` @param {string} name */
 const inWords = (name) => name.replace(/(?<=.)([A-Z])/g, ' $1').toLowerCase();
@@ -35,4 +35,23 @@ test('the list of rules in src/README.md is the table of the chooser', () => {
   assert.equal(rows().length, readText('src/remesh/schemes/chooser.cpp').match(/\bRule\{/g).length);
   assert.ok(readText('src/README.md').includes(list()),
     'node tests/house/chooser.test.js --print prints the list');
+});
+
+test('the owner of a decision answers each fact that its rows ask for, and no other', () => {
+  /** @type {Map<string, string[]>} by file */
+  const decided = new Map();
+  for (const file of filesUnder('src', /(?<!schemes\/chooser)\.cpp$/)) {
+    const decisions = [...readText(file).matchAll(/\bchoose\(\s*Decision::(\w+)/g)];
+    if (decisions.length > 0) decided.set(file, decisions.map(([, name]) => inWords(name)));
+  }
+  assert.deepEqual([...decided.values()].flat().sort(),
+    [...new Set(rows().map(({ decision }) => decision))].sort(), 'each has one owner');
+  for (const [file, decisions] of decided) {
+    const asked = rows().filter(({ decision }) => decisions.includes(decision))
+      .flatMap(({ when }) => when.split('; ').map((fact) => fact.replace(/^not /, '')));
+    const answered = [...readText(file).matchAll(/\bFact::(\w+)/g)]
+      .map(([, fact]) => inWords(fact));
+    assert.deepEqual([...new Set(answered)].sort(),
+      [...new Set(asked)].filter(Boolean).sort(), file);
+  }
 });
