@@ -313,26 +313,36 @@ RemeshOptions optionsOfPixels(RemeshOptions options, Index vertices) {
   return options;
 }
 
-// The coarser levels that were asked for; `finest` is the report on the finest one.
-std::vector<SceneRun> remeshCoarser(const SceneInput& input, const RemeshOptions& options,
-                                    const Report& finest, const Progress& progress) {
+// The coarser levels that were asked for, each by levelOf(share of the vertices, or their number;
+// the level before it, progress).
+template <class LevelOf>
+std::vector<SceneRun> coarserLevels(const SceneRun& finest, const RemeshOptions& options,
+                                    const Progress& progress, LevelOf levelOf) {
   std::vector<SceneRun> runs;
   const double count = double(options.lods.size());
-  for (const double share : options.lods) {
+  for (const double wanted : options.lods) {
     PhaseClock clock;
     const double begin = double(runs.size()) / count;
     const Progress part = progress.part(begin, begin + 1 / count).timedBy(clock);
-    const Report& finer = runs.empty() ? finest : runs.back().report;
-    SceneRun run = options.lodsBy == LodsBy::Shares
-                       ? remeshInBudget(input, optionsOfLevel(options, share, finest), part)
-                       : withinPixels(share, finer, [&](Index vertices) {
-                           return remeshInspected(input, optionsOfPixels(options, vertices), part);
-                         });
-    run.report.takesOver = switchTo(run.report, finer);
+    const SceneRun& finer = runs.empty() ? finest : runs.back();
+    const auto at = [&](double amount) { return levelOf(amount, finer, part); };
+    SceneRun run =
+        options.lodsBy == LodsBy::Shares ? at(wanted) : withinPixels(wanted, finer.report, at);
+    run.report.takesOver = switchTo(run.report, finer.report);
     run.report = timed(std::move(run.report), clock);
     runs.push_back(std::move(run));
   }
   return runs;
+}
+
+std::vector<SceneRun> remeshCoarser(const SceneInput& input, const RemeshOptions& options,
+                                    const SceneRun& finest, const Progress& progress) {
+  return coarserLevels(
+      finest, options, progress, [&](double amount, const SceneRun&, const Progress& part) {
+        if (options.lodsBy == LodsBy::Pixels)
+          return remeshInspected(input, optionsOfPixels(options, Index(amount)), part);
+        return remeshInBudget(input, optionsOfLevel(options, amount, finest.report), part);
+      });
 }
 
 // The options of a level that is simplified from the finest one.
@@ -393,9 +403,9 @@ std::vector<SceneRun> remeshLevels(const std::vector<io::Part>& originals, Held 
     std::vector<SceneRun> runs = {remeshInBudget(input, options, progress.part(0, share))};
     if (options.lods.empty()) return runs;
     progress.phase("levels of detail", share, share);
-    const Report finest = runs.front().report;
-    for (SceneRun& run :
-         remeshCoarser(input, optionsOfLevels(options, finest), finest, progress.part(share, 1))) {
+    const SceneRun& finest = runs.front();
+    for (SceneRun& run : remeshCoarser(input, optionsOfLevels(options, finest.report), finest,
+                                       progress.part(share, 1))) {
       runs.front().report.lods.push_back(run.report);
       runs.push_back(std::move(run));
     }
@@ -408,29 +418,15 @@ std::vector<SceneRun> simplifiedLevels(const std::vector<io::Part>& originals,
                                        const Progress& progress) {
   return withinMemory([&] {
     const InspectedParts inspected(finest.parts);
-    std::vector<SceneRun> runs;
-    const double count = double(options.lods.size());
-    for (const double wanted : options.lods) {
-      PhaseClock clock;
-      const double begin = double(runs.size()) / count;
-      const Progress part = progress.part(begin, begin + 1 / count).timedBy(clock);
-      const SceneRun& finer = runs.empty() ? finest : runs.back();
-      // A share of the vertices, or their number.
-      const auto levelOf = [&](double share) {
-        SceneRun run =
-            simplified(inspected, optionsOfSimplified(options, share, finest.report), finer, part);
-        run.report.input = finest.report.input;
-        run.report.fidelity =
-            fidelityOf({originals, run.parts, placesOf(originals)}, Maximum::Sampled, {});
-        return run;
-      };
-      SceneRun run = options.lodsBy == LodsBy::Shares ? levelOf(wanted)
-                                                      : withinPixels(wanted, finer.report, levelOf);
-      run.report.takesOver = switchTo(run.report, finer.report);
-      run.report = timed(std::move(run.report), clock);
-      runs.push_back(std::move(run));
-    }
-    return runs;
+    return coarserLevels(
+        finest, options, progress, [&](double amount, const SceneRun& finer, const Progress& part) {
+          SceneRun run = simplified(inspected, optionsOfSimplified(options, amount, finest.report),
+                                    finer, part);
+          run.report.input = finest.report.input;
+          run.report.fidelity =
+              fidelityOf({originals, run.parts, placesOf(originals)}, Maximum::Sampled, {});
+          return run;
+        });
   });
 }
 
