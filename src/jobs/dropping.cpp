@@ -105,7 +105,8 @@ std::vector<io::Part> applied(const PartFrames& scale, const std::vector<io::Par
 }
 
 // "12.5 across near (1, 2, 3)", of a few.
-std::string inWords(const std::vector<SizedPlace>& places, const std::vector<io::Part>& parts) {
+std::string placesInWords(const std::vector<SizedPlace>& places,
+                          const std::vector<io::Part>& parts) {
   constexpr std::size_t kNamed = 3;
   constexpr int kDigitsAcross = 3;
   std::string words;
@@ -189,7 +190,7 @@ Dropped dropSmallPieces(std::vector<io::Part>& parts, const RemeshOptions& optio
   keepUnmarkedIn(parts, isGone);
   dropped.warnings.push_back({"PIECES_DROPPED",
                               "Small pieces were left out, as asked. The largest are, across: " +
-                                  inWords(dropped.report.piecesAt, parts) + ".",
+                                  placesInWords(dropped.report.piecesAt, parts) + ".",
                               dropped.report.pieces, dropped.report.piecesAt.front().at});
   return dropped;
 }

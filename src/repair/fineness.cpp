@@ -84,7 +84,7 @@ Cleaning cleaningFor(const RemeshOptions& options) {
   return isRemeshed ? Cleaning::None : Cleaning::Thorough;
 }
 
-std::string inWords(double bytes) {
+std::string bytesInWords(double bytes) {
   constexpr double kMega = 1e6, kGiga = 1e9;
   constexpr int kDigits = 2;
   return bytes < kGiga ? inDigits(bytes / kMega, kDigits) + " MB"
@@ -135,8 +135,8 @@ void requireMemory(const TriangleMesh& input, const RemeshOptions& options, doub
   const double bytes = needsOf(input, options).bytes;
   if (!(bytes > most)) return;
   throw Error(ErrorCode::OutOfMemory,
-              "Repair takes about " + inWords(bytes) + " of memory for this mesh, more than the " +
-                  inWords(most) + " there are.",
+              "Repair takes about " + bytesInWords(bytes) +
+                  " of memory for this mesh, more than the " + bytesInWords(most) + " there are.",
               "Give the model in parts, or with fewer triangles.");
 }
 
