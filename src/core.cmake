@@ -371,6 +371,7 @@ set(small
   src/repair/holes/rims.cpp
   src/repair/holes/turn_over.cpp
   src/repair/loose_pieces.cpp
+  src/repair/one_sided.cpp
   src/repair/pieces.cpp
   src/repair/repair.cpp
   src/repair/seen_share.cpp

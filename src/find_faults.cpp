@@ -32,12 +32,14 @@ CloseInspection withFaults(InspectedModel model) {
     return close;
   }
   try {
-    std::vector<Warning> meeting;
+    std::vector<Warning> found;
     close.faults = withinMemory([&] {
-      meeting = warningsOfMeeting(model.parts);
+      found = warningsOfOneSided(model.parts);
+      const std::vector<Warning> meeting = warningsOfMeeting(model.parts);
+      found.insert(found.end(), meeting.begin(), meeting.end());
       return faultsOf(model.parts);
     });
-    warnings.insert(warnings.end(), meeting.begin(), meeting.end());
+    warnings.insert(warnings.end(), found.begin(), found.end());
   } catch (const Error& error) {
     if (error.code != ErrorCode::OutOfMemory) throw;
     warnings.push_back({"FAULTS_NOT_SOUGHT",

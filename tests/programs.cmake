@@ -242,6 +242,7 @@ add_executable(unit_tests
   tests/unit/repair/holes/close_holes_test.cpp
   tests/unit/repair/holes/rims_test.cpp
   tests/unit/repair/loose_pieces_test.cpp
+  tests/unit/repair/one_sided_test.cpp
   tests/unit/repair/pieces_test.cpp
   tests/unit/repair/repair_test.cpp
   tests/unit/repair/seen_share_test.cpp

@@ -61,6 +61,7 @@ constexpr std::array kDiagnostics = {
     Diagnostic{"NOTHING_TO_REMESH", Severity::Note},
     Diagnostic{"NOT_TRIANGLES", Severity::Loss},
     Diagnostic{"NO_BODIES_TOUCH", Severity::Note},
+    Diagnostic{"ONE_SIDED", Severity::Fault},
     Diagnostic{"ONLY_REPAIRED", Severity::Loss},
     Diagnostic{"PARTS_MEET", Severity::Fault},
     Diagnostic{"PARTS_MERGED", Severity::Note},

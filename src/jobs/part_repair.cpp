@@ -22,6 +22,7 @@
 #include "measure/self_intersections.h"
 #include "remesh/schemes/chooser.h"
 #include "repair/exact_repair.h"
+#include "repair/findings.h"
 #include "repair/fineness.h"
 #include "repair/repair.h"
 
@@ -232,6 +233,19 @@ std::vector<Warning> warningsOfMeeting(const std::vector<io::Part>& parts) {
          meeting.size()},
         merged.positions[corner]}},
       parts);
+}
+
+std::vector<Warning> warningsOfOneSided(const std::vector<io::Part>& parts) {
+  const PartFrames scale(parts);
+  OneSided all;
+  for (const io::Part& part : scale.isNeeded() ? scale.applied(parts) : parts) {
+    const OneSided found = oneSidedOf(part.mesh);
+    if (all.edges == 0 && found.edges > 0) all.at = inWorld({found.at}, part, scale).front();
+    all.edges += found.edges;
+  }
+  RepairedMesh said;
+  warnOfOneSided(said, all);
+  return inWords(std::move(said.warnings), parts);
 }
 
 bool isSound(const TriangleMesh& mesh) {

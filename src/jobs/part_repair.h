@@ -27,6 +27,9 @@ PartsRepair repairParts(std::vector<io::Part> parts, const RemeshOptions& option
 // PARTS_MEET, if triangles of parts intersect those of others, which no repair of a part mends.
 std::vector<Warning> warningsOfMeeting(const std::vector<io::Part>& parts);
 
+// ONE_SIDED, if parts of surfaces have one side only.
+std::vector<Warning> warningsOfOneSided(const std::vector<io::Part>& parts);
+
 // Whether a surface is closed, a 2-manifold, passes through itself nowhere, and each triangle has
 // an area.
 bool isSound(const TriangleMesh& mesh);

@@ -210,7 +210,8 @@ void makeConsistent(Soup& soup, std::vector<Warning>& warnings) {
        "Triangles were turned over to face the same side as most of their neighbours.",
        orientation.turned);
   warn(warnings, "NON_ORIENTABLE_CUT",
-       "The surface has only one side and was cut open along these edges.", orientation.conflicts);
+       "The surface has only one side: along these edges its triangles face opposite sides.",
+       orientation.conflicts);
   turnOver(soup, orientation.turn);
 }
 

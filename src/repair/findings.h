@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "repair/exact_repair.h"
+#include "repair/one_sided.h"
 #include "repair/repair.h"
 #include "repair/solid/solid.h"
 
@@ -17,6 +18,9 @@ std::vector<Vec3> centreOfFirst(const TriangleMesh& mesh, const std::vector<Inde
 void addWarning(RepairedMesh& result, Warning warning, const std::vector<Vec3>& places = {});
 
 void warnOfCrossings(RepairedMesh& result, const std::vector<Index>& crossings);
+
+// Nothing if there are none.
+void warnOfOneSided(RepairedMesh& result, const OneSided& found);
 
 // hiddenAt: the bodies that were removed.
 void warnOfHidden(RepairedMesh& result, std::vector<SizedPlace> hiddenAt);

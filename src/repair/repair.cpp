@@ -14,6 +14,7 @@
 #include "geometry/extent.h"
 #include "geometry/triangle.h"
 #include "geometry/triangle_meeting.h"
+#include "measure/mesh_report.h"
 #include "measure/self_intersections.h"
 #include "mesh/given_order.h"
 #include "mesh/joining.h"
@@ -27,6 +28,7 @@
 #include "repair/holes/plug.h"
 #include "repair/holes/turn_over.h"
 #include "repair/ladder.h"
+#include "repair/one_sided.h"
 #include "repair/solid/solid.h"
 #include "repair/stitch.h"
 
@@ -310,6 +312,52 @@ RepairedMesh repaired(const TriangleMesh& input, const RemeshOptions& options) {
   }
 }
 
+// Whether it has faults that the input lacks, is as open, or has one side still.
+bool isWorse(const RepairedMesh& result, const TriangleMesh& input) {
+  const MeshReport before = inspectMesh(input), after = inspectMesh(result.mesh);
+  return result.report.selfIntersections[1] > result.report.selfIntersections[0] ||
+         after.nonManifoldEdges > before.nonManifoldEdges ||
+         (after.boundaryEdges > 0 && after.boundaryEdges >= before.boundaryEdges) ||
+         oneSidedOf(result.mesh).edges > 0;
+}
+
+// Where a scan is torn some edges may make it one-sided: these are cut open and closed. The seam of
+// a strip or a bottle is long for its number of triangles.
+bool isFlaw(const OneSided& found) {
+  constexpr std::size_t kLong = 50;
+  return kLong * found.edges * found.edges < found.triangles.size();
+}
+
+// Parts with one side only have no outside: but for flaws that repair mends they stay as they are.
+RepairedMesh besideOneSided(RepairedMesh whole, const TriangleMesh& input,
+                            const RemeshOptions& options) {
+  const OneSided found = oneSidedOf(input);
+  if (found.edges == 0 || (isFlaw(found) && !isWorse(whole, input))) return whole;
+  fires("repair: surface of one side left as it is");
+  std::vector<Index> marks(input.triangleCount(), 0);
+  for (const Index t : found.triangles) marks[t] = 1;
+  ExactRepair kept = leftAlone(selected(input, marks, 1).mesh);
+  kept.sheetsAt.clear();
+  RepairedMesh result = because("sheets", asRepaired(std::move(kept), "holes"));
+  if (found.triangles.size() < input.triangleCount()) {
+    const RepairReport own = result.report;
+    TriangleMesh oneSided = std::move(result.mesh);
+    result = repaired(selected(input, marks, 0).mesh, options);
+    for (std::size_t i = 0; i < 2; ++i)
+      result.report.selfIntersections[i] += own.selfIntersections[i];
+    append(result.mesh, oneSided);
+  }
+  warnOfOneSided(result, found);
+  return result;
+}
+
+// Whether all of it has one side only, and repair leaves it as it is.
+bool staysOneSided(const TriangleMesh& input) {
+  const OneSided found = oneSidedOf(input);
+  if (found.triangles.size() < input.triangleCount()) return false;
+  return !isFlaw(found) || isWorse(withHolesClosed(input, {}), input);
+}
+
 bool isSameMesh(const TriangleMesh& one, const TriangleMesh& other) {
   return one.positions == other.positions && one.indices == other.indices &&
          one.groups == other.groups &&
@@ -366,7 +414,9 @@ FaultReport faultsOf(const TriangleMesh& input) {
   faults.insideOut = faults.places.insideOut.size();
   if (isSound(diagnosis)) return faults;
   RemeshOptions alone;
-  alone.repair = faults.repair = repairFor(inCanonicalOrder(input));
+  const TriangleMesh ordered = inCanonicalOrder(input);
+  faults.repair = staysOneSided(ordered) ? Repair::Off : repairFor(ordered);
+  alone.repair = faults.repair;
   if (faults.repair == Repair::Off) return faults;
   faults.needs = needsOf(input, alone);
   return faults;
@@ -397,6 +447,9 @@ RepairedMesh repairSurface(const TriangleMesh& input, const RemeshOptions& optio
   requireMemory(input, options);
   const TriangleMesh ordered = inCanonicalOrder(input);
   RepairedMesh result = repaired(ordered, options);
+  const bool isExact = options.repair == Repair::Holes || options.repair == Repair::Auto;
+  if (isExact && !makesBodies(options) && result.report.reason != "sound")
+    result = besideOneSided(std::move(result), ordered, options);
   if (result.isRemade) {
     result.report.selfIntersections[0] = selfIntersections(input).size();
     // A body of a few triangles, thinner than single precision tells, may come out inside out.

@@ -36,8 +36,8 @@ const named = (warnings, name) =>
   warnings.find(({ code, at }) => code === name && at !== undefined)?.count ?? 0;
 
 /**
- * The laws that a repaired mesh breaks. Sheets and intersections that auto leaves between bodies
- * break none if a warning says where they are.
+ * The laws that a repaired mesh breaks. Sheets, surfaces of one side and intersections that auto
+ * leaves between bodies break none if a warning says where they are.
  * @param {any} mesh @param {string} what
  * @param {{ mayTouch: boolean, warnings?: any[], crossings?: number }} allowed crossings: besides
  * those that were left
@@ -45,7 +45,8 @@ const named = (warnings, name) =>
 export async function lawsOfMended(mesh, what, { mayTouch, warnings = [], crossings = 0 }) {
   const { input, faults } = await inspect(mesh, { faults: true });
   const broken = [];
-  if (input.boundaryEdges > 0 && named(warnings, 'SHEETS_LEFT') === 0) {
+  const left = named(warnings, 'SHEETS_LEFT') + named(warnings, 'ONE_SIDED');
+  if (input.boundaryEdges > 0 && left === 0) {
     broken.push(`${what}: ${input.boundaryEdges} boundaryEdges`);
   }
   if (input.nonManifoldEdges > 0 && !mayTouch) {

@@ -128,7 +128,8 @@ export default {
     + 'geblieben sind.',
   'warning.NON_MANIFOLD_VERTICES_SPLIT': 'Punkte, in denen die Fläche sich selbst berührt, wurden '
     + 'getrennt.',
-  'warning.NON_ORIENTABLE_CUT': 'Die Fläche hat nur eine Seite und wurde aufgeschnitten.',
+  'warning.NON_ORIENTABLE_CUT': 'Die Fläche hat nur eine Seite: An diesen Kanten zeigen Dreiecke '
+    + 'zu verschiedenen Seiten.',
   'warning.NOTHING_TO_REMESH': 'Es gibt keine Dreiecke: die Datei wird weitergegeben, wie sie ist.',
   'warning.NOT_TRIANGLES': 'Nur Flächen werden neu vernetzt; anderes fehlt im Ergebnis.',
   'warning.ONLY_REPAIRED': 'Teile der ausgebesserten Fläche liegen für ihre Zahlen zu nah '
@@ -235,6 +236,8 @@ export default {
     + 'Texturen neu gemalt.',
   'warning.PARTS_MEET': 'Dreiecke von Teilen treffen solche anderer Teile: Reparatur bessert '
     + 'jedes für sich, um Namen und Ort zu behalten. In einer STL-Datei werden alle eine Fläche.',
+  'warning.ONE_SIDED': 'Die Fläche hat nur eine Seite wie ein Möbiusband: Sie hat kein Außen, und '
+    + 'an diesen Kanten zeigen Dreiecke zu verschiedenen Seiten. Reparatur lässt sie, wie sie ist.',
   'warning.SHEETS_DROPPED': 'Blätter, die nichts umschließen, wurden weggelassen.',
   'warning.BODIES_ALMOST_TOUCH': 'Körper berühren sich fast: ihre Flächen sind ein wenig '
     + 'voneinander entfernt und bleiben es.',

@@ -129,7 +129,8 @@ export default {
     + 'restés tels quels.',
   'warning.NON_MANIFOLD_VERTICES_SPLIT': 'Des points où la surface se touche elle-même ont été '
     + 'séparés.',
-  'warning.NON_ORIENTABLE_CUT': 'La surface n’a qu’un côté et a été ouverte.',
+  'warning.NON_ORIENTABLE_CUT': 'La surface n’a qu’un côté : à ces arêtes des triangles regardent '
+    + 'des côtés opposés.',
   'warning.NOTHING_TO_REMESH': 'Il n’y a pas de triangles : le fichier est transmis tel quel.',
   'warning.NOT_TRIANGLES': 'Seules les faces sont remaillées ; le reste manque au résultat.',
   'warning.ONLY_REPAIRED': 'Des parties de la surface réparée sont trop proches pour leurs '
@@ -233,6 +234,9 @@ export default {
   'warning.PARTS_MEET': 'Des triangles de parties en rencontrent d’autres : la réparation '
     + 'traite chaque partie pour elle-même, pour garder son nom et sa place. Dans un fichier '
     + 'STL toutes font une seule surface.',
+  'warning.ONE_SIDED': 'La surface n’a qu’un côté, comme un ruban de Möbius : elle n’a pas de '
+    + 'dehors, et à ces arêtes des triangles regardent des côtés opposés. La réparation la laisse '
+    + 'telle quelle.',
   'warning.SHEETS_DROPPED': 'Des feuilles, qui n’enferment rien, ont été omises.',
   'warning.BODIES_ALMOST_TOUCH': 'Des corps se touchent presque : leurs faces sont un peu '
     + 'écartées, et le restent.',

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "repair/one_sided.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "repair/repair.h"
+#include "support/hostile_shapes.h"
+#include "support/shapes.h"
+#include "support/soups.h"
+
+using namespace remesher;
+
+namespace {
+
+// A Klein bottle as a figure of eight that turns by half a turn; m is odd.
+TriangleMesh kleinBottle(int n, int m) {
+  TriangleMesh mesh;
+  shapes::addSheet(mesh, n, m, [&](int i, int k) {
+    const double turn = 2 * std::numbers::pi * (i % n) / n;
+    const int column = (i == n ? m - k : k) % m;
+    const double v = 2 * std::numbers::pi * column / m;
+    const double out = std::cos(turn / 2) * std::sin(v) - std::sin(turn / 2) * std::sin(2 * v),
+                 up = std::sin(turn / 2) * std::sin(v) + std::cos(turn / 2) * std::sin(2 * v);
+    return Vec3((3 + out) * std::cos(turn), (3 + out) * std::sin(turn), up);
+  });
+  return mesh;
+}
+
+RepairedMesh repairedBy(Repair way, const TriangleMesh& mesh) {
+  RemeshOptions options;
+  options.repair = way;
+  return repairSurface(mesh, options);
+}
+
+}  // namespace
+
+TEST_CASE("one-sided: a Möbius strip and a Klein bottle, whole; no surface of two sides") {
+  for (const TriangleMesh& mesh : {shapes::moebiusStrip(24), kleinBottle(24, 13)}) {
+    const TriangleMesh ball = shapes::icosphere(2), both = soups::joined({ball, mesh});
+    const OneSided found = oneSidedOf(both);
+    CHECK(found.edges > 0);
+    CHECK(found.triangles.size() == mesh.triangleCount());
+    CHECK(found.triangles.front() == ball.triangleCount());
+  }
+  for (const TriangleMesh& mesh : {shapes::torus(12, 8), shapes::grid(5, 4)})
+    CHECK(oneSidedOf(mesh).edges == 0);
+}
+
+TEST_CASE("one-sided: repair leaves it as it is, says so with a place, and mends what is beside") {
+  for (const Repair way : {Repair::Auto, Repair::Holes})
+    for (const TriangleMesh& mesh : {shapes::moebiusStrip(24), kleinBottle(24, 13)}) {
+      const RepairedMesh alone = repairedBy(way, mesh);
+      CHECK(alone.mesh.indices == mesh.indices);
+      CHECK(alone.mesh.positions == mesh.positions);
+      TriangleMesh ball = shapes::turnedOver(shapes::icosphere(4));
+      for (Vec3& p : ball.positions) p.x() += 9;
+      const TriangleMesh both = soups::joined({ball, mesh});
+      const RepairedMesh beside = repairedBy(way, both);
+      CHECK(beside.mesh.triangleCount() == both.triangleCount());
+      CHECK(beside.report.turned > 0);
+      for (const RepairedMesh* result : {&alone, &beside}) {
+        const auto said = std::find_if(
+            result->warnings.begin(), result->warnings.end(),
+            [](const PlacedWarning& warning) { return warning.warning.code == "ONE_SIDED"; });
+        REQUIRE(said != result->warnings.end());
+        CHECK(said->at);
+      }
+    }
+}
