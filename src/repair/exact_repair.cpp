@@ -60,6 +60,7 @@ ExactRepair withLoopsClosed(const TriangleMesh& input, const LoopRule& rule) {
   result.way = ExactRepair::Way::Closed;
   result.holes = holes.holes;
   result.trianglesRemoved = holes.trianglesRemoved;
+  result.lines = holes.lines;
   result.openAt = std::move(holes.openAt), result.removedAt = std::move(holes.removedAt);
   result.closedAt = std::move(holes.closedAt), result.meantAt = std::move(holes.meantAt);
   result.rimsAt = std::move(holes.rimsAt);

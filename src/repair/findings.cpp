@@ -114,6 +114,8 @@ RepairedMesh asRepaired(ExactRepair exact, const char* mode) {
        "with the surface beside a hole, and those given twice.",
        exact.trianglesRemoved},
       exact.removedAt);
+  addWarning(result, {"DEGENERATE_TRIANGLES_REMOVED",
+                      "Triangles without three distinct corners were removed.", exact.lines});
   warnOfHidden(result, exact.hiddenAt);
   addWarning(result,
              {"CAVITIES_FILLED", "Cavities that are not seen from outside were filled.",

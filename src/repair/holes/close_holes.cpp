@@ -242,6 +242,7 @@ ClosedHoles closeHoles(const TriangleMesh& input, const LoopRule& rule) {
   result.islands = kept.islands;
   result.removedAt = kept.removedAt;
   result.trianglesRemoved = kept.trianglesRemoved;
+  result.lines = kept.built.lines;
   const std::vector<Face> faces = facesInOrder(kept.built);
   for (const Face f : faces) result.kept.push_back(kept.inputs[kept.built.triangles[f]]);
   result.mesh = Closer(kept, meshOf(kept, faces), std::move(loops)).run();

@@ -34,7 +34,8 @@ struct ClosedHoles {
   double sheetArea = 0;              // of all sheets
   std::size_t islands = 0;           // small open components removed
   std::vector<Vec3> removedAt;       // a corner of each of them, and of what goes at pinches
-  std::size_t trianglesRemoved = 0;  // of debris, at pinches, without area or given twice
+  std::size_t trianglesRemoved = 0;  // of debris, at pinches, or given twice
+  std::size_t lines = 0;             // without three distinct corners, removed
 };
 
 // Each loop that the rule does not leave open gets a disk, so that its edges have two triangles. A

@@ -17,7 +17,7 @@ struct KeptSurface {
   std::vector<InputTriangle> inputs;  // per triangle of `mesh` the input's, ascending
   std::size_t islands = 0;            // small open components removed
   std::vector<Vec3> removedAt;        // a corner of each of them, and of what goes at pinches
-  std::size_t trianglesRemoved = 0;   // of debris, at pinches, given twice
+  std::size_t trianglesRemoved = 0;   // of debris, at pinches, given twice; not built.lines
 };
 
 // What becomes of small open components.

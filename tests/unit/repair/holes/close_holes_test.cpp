@@ -229,6 +229,14 @@ TEST_CASE("close_holes: a scrap in a hole is an island, and goes") {
   CHECK(isClosedManifold(closed.mesh));
 }
 
+TEST_CASE("close_holes: triangles without three distinct corners are no scraps") {
+  TriangleMesh open = capless(12, 0.8);
+  open.indices.insert(open.indices.end(), {0, 1, 1, 2, 2, 2});
+  const ClosedHoles closed = closeHoles(open);
+  CHECK(closed.trianglesRemoved == 0);
+  CHECK(closed.lines == 2);
+}
+
 TEST_CASE("close_holes: closed bodies that touch in a point or an edge stay as they are") {
   for (const TriangleMesh& touching :
        {shapes::cubesSharingACorner(4), shapes::cubesSharingAnEdge(4)}) {
