@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "base/error.h"
@@ -97,21 +98,31 @@ void faceOutwards(ExactRepair& repair, const Diagnosis& diagnosis) {
   repair.way = ExactRepair::Way::Closed;
 }
 
-// The closed pieces of which nothing is used: a corner of each, and how large it is.
-std::vector<SizedPlace> hiddenAt(const Diagnosis& diagnosis, const std::vector<char>& isUsed) {
+// Whether a closed piece is triangles back to back, such as the common walls of bodies that touch.
+bool enclosesNothing(const SurfacePiece& piece) {
+  constexpr double kRounding = 1e-12;
+  const double diagonal = (piece.box.high - piece.box.low).norm();
+  return std::abs(piece.volume) <= kRounding * piece.area * diagonal;
+}
+
+// Of the closed pieces of which nothing is used, a corner of each body and how large it is, and how
+// many triangles enclose none.
+void noteHidden(ExactRepair& repair, const Diagnosis& diagnosis, const std::vector<char>& isUsed) {
   const auto& [ofFace, pieces] = diagnosis.pieces;
   std::vector<char> isListed(pieces.size(), 0);
   for (Index f = 0; f < ofFace.size(); ++f)
     isListed[ofFace[f]] |= pieces[ofFace[f]].kind == SurfacePiece::Kind::Open ||
                            isUsed[diagnosis.built.triangles[Face(f)]];
-  std::vector<SizedPlace> found;
   for (Index f = 0; f < ofFace.size(); ++f) {
     if (std::exchange(isListed[ofFace[f]], 1)) continue;
-    const Box& box = pieces[ofFace[f]].box;
-    found.push_back({diagnosis.built.positions[diagnosis.built.mesh.vertices(Face(f))[0]],
-                     (box.high - box.low).norm()});
+    const SurfacePiece& piece = pieces[ofFace[f]];
+    if (enclosesNothing(piece))
+      repair.backToBack += piece.faces;
+    else
+      repair.hiddenAt.push_back(
+          {diagnosis.built.positions[diagnosis.built.mesh.vertices(Face(f))[0]],
+           (piece.box.high - piece.box.low).norm()});
   }
-  return found;
 }
 
 // Sets triangles aside for another way of repair.
@@ -168,7 +179,7 @@ bool unite(ExactRepair& repair, const Diagnosis& diagnosis) {
     repair.isOfCavity.push_back(isWall[bodies.triangles[parent]]);
   }
   for (const Index t : outside->undecided) isUsed[bodies.triangles[t]] = 1;
-  repair.hiddenAt = hiddenAt(diagnosis, isUsed);
+  noteHidden(repair, diagnosis, isUsed);
   if (!outside->undecided.empty()) {
     leaveUndecided(repair, selected(bodies.mesh, markedOf(bodies.mesh, outside->undecided), 1));
   }

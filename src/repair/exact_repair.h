@@ -24,7 +24,8 @@ struct ExactRepair {
   Way way = Way::Unchanged;
   TriangleMesh mesh;
   std::size_t holes = 0, turned = 0, islands = 0, trianglesRemoved = 0, lines = 0;
-  double lost = 0;  // percent of the area: of small open pieces, and at pinches
+  std::size_t backToBack = 0;  // triangles inside that enclosed nothing, gone
+  double lost = 0;             // percent of the area: of small open pieces, and at pinches
   std::vector<SizedPlace> closedAt, meantAt, rimsAt;  // of loops, see ClosedHoles
   // Corners of: loops left open, triangles removed, sheets left.
   std::vector<Vec3> openAt, removedAt, sheetsAt;

@@ -116,6 +116,9 @@ RepairedMesh asRepaired(ExactRepair exact, const char* mode) {
       exact.removedAt);
   addWarning(result, {"DEGENERATE_TRIANGLES_REMOVED",
                       "Triangles without three distinct corners were removed.", exact.lines});
+  addWarning(result,
+             {"BACK_TO_BACK_TRIANGLES_REMOVED",
+              "Triangles back to back, which enclose nothing, were removed.", exact.backToBack});
   warnOfHidden(result, exact.hiddenAt);
   addWarning(result,
              {"CAVITIES_FILLED", "Cavities that are not seen from outside were filled.",

@@ -184,8 +184,7 @@ KeptSurface keptSurface(const TriangleMesh& input, Debris debris) {
     kept.removedAt = std::move(found.at);
   }
   kept.removedAt.insert(kept.removedAt.end(), pinches.begin(), pinches.end());
-  kept.trianglesRemoved =
-      input.triangleCount() - kept.built.mesh.faceCount() - kept.built.lines;
+  kept.trianglesRemoved = input.triangleCount() - kept.built.mesh.faceCount() - kept.built.lines;
   return kept;
 }
 

@@ -86,6 +86,20 @@ TEST_CASE("repair: what is only inside out is turned over, and nothing else") {
   }
 }
 
+TEST_CASE("repair: common walls of bodies that touch are no bodies") {
+  TriangleMesh mesh;
+  for (int x = 0; x < 3; ++x)
+    for (int y = 0; y < 3; ++y)
+      for (int z = 0; z < 2; ++z)
+        mesh = soups::joined({mesh, soups::moved(soups::cube(0, 1), {x + 0.0, y + 0.0, z + 0.0})});
+  const RepairedMesh result = mended(mesh);
+  CHECK(inspectMesh(result.mesh).components == 1);
+  CHECK(result.report.shells == 0);
+  REQUIRE(result.warnings.size() == 1);
+  CHECK(result.warnings[0].warning.code == "BACK_TO_BACK_TRIANGLES_REMOVED");
+  CHECK(result.warnings[0].warning.count == 132);  // of 33 common walls
+}
+
 TEST_CASE("repair: auto wraps loose triangles") {
   for (const TriangleMesh& mesh : {soups::randomSoup(40, 0.3, 3)}) {
     const RepairedMesh result = mended(mesh);
