@@ -182,7 +182,7 @@
  *   worst corner: 1 in a square, negative in a fold.
  * @property {number} edgeVariation The standard deviation of the edges’ lengths over their mean.
  * @property {number} symmetry Of a result: the planes about which quads were made their own mirror
- *   images, in all meshes together.
+ *   images, at most three of each mesh, in all meshes together.
  * @property {{ count: number, longest: number, selfCrossing: number }} loops Loops of quads go from
  *   each quad to the one across the opposite side: how many there are; percent of all edges that
  *   the longest crosses; percent of the quads in which a loop crosses itself.

@@ -35,9 +35,9 @@ RemeshOutcome remeshAlone(const SurfacePart& part, const RemeshOptions& options,
   const std::size_t used = made->mirrors.size(), all = mirrored.planes;
   if (used < all)
     made->warnings.push_back({"QUADS_SYMMETRY_LOST",
-                              "Of " + std::to_string(all) + " planes that mirror the surface " +
-                                  std::to_string(used) + " mirror the quads: " + mirrored.lost +
-                                  ".",
+                              "Not all planes that mirror the surface, or a connected part of it, "
+                              "mirror its quads: " +
+                                  mirrored.lost + ".",
                               all - used});
   return std::move(*mirrored.made);
 }

@@ -167,8 +167,8 @@ MirroredOutcome remeshMirrored(const TriangleMesh& input, const std::vector<Mirr
     edges = dropUnlessMirrored(mirrors.planes, candidates, built, tolerance);
     chartless = std::move(candidates.seams.chartless);
   }
-  std::string lost = "with more, quads of this number have another surface";
-  if (options.exact) lost = "with more, the exact number of vertices cannot be reached";
+  std::string lost = "mirrored about more, they miss the number or do not join into one surface";
+  if (options.exact) lost = "mirrored about more, they cannot have the exact number of vertices";
   if (mirrors.planes.size() < all)
     lost = "seams or borders of materials are not mirrored onto edges";
   const std::vector<MirrorPlane> free = mirrors.planes;

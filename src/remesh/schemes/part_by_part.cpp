@@ -136,13 +136,13 @@ RemeshOptions optionsOf(const SurfacePart& part, const RemeshOptions& whole, dou
   return options;
 }
 
-void addPlanes(std::vector<MirrorPlane>& planes, const std::vector<MirrorPlane>& more) {
-  for (const MirrorPlane& plane : more) {
-    const auto isSame = [&](const MirrorPlane& other) {
+// Only planes that mirror all parts mirror the whole.
+void keepCommon(std::vector<MirrorPlane>& planes, const std::vector<MirrorPlane>& others) {
+  std::erase_if(planes, [&](const MirrorPlane& plane) {
+    return std::none_of(others.begin(), others.end(), [&](const MirrorPlane& other) {
       return other.normal == plane.normal && other.offset == plane.offset;
-    };
-    if (std::none_of(planes.begin(), planes.end(), isSame)) planes.push_back(plane);
-  }
+    });
+  });
 }
 
 // A warning that the whole has already is not repeated for a part.
@@ -164,13 +164,15 @@ void addWarnings(std::vector<Warning>& warnings, const std::vector<Warning>& mor
 
 void takePart(RemeshOutcome& whole, RemeshOutcome made, const SurfacePart& part,
               const std::vector<Warning>& known) {
-  if (whole.mesh.indices.empty())
+  if (whole.mesh.indices.empty()) {
     whole.mesh = std::move(made.mesh);
-  else
+    whole.mirrors = std::move(made.mirrors);
+  } else {
     append(whole.mesh, made.mesh);
+    keepCommon(whole.mirrors, made.mirrors);
+  }
   for (const InputPlace& place : made.places)
     whole.places.push_back({InputTriangle{part.triangles[place.triangle.index]}, place.weights});
-  addPlanes(whole.mirrors, made.mirrors);
   std::erase_if(made.warnings, isNumberNote);
   addWarnings(whole.warnings, made.warnings, known);
   whole.vertices += made.vertices;

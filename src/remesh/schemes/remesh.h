@@ -27,7 +27,7 @@ struct RemeshOutcome {
   // Present if the run needed a tree and all these triangles are in the surface.
   std::optional<ListedTree> tree = {};
   Prefer prefer = Prefer::Even;  // or Shape
-  // Planes about which quads, or connected parts of them, are their own mirror images.
+  // Planes about which quads are their own mirror images.
   std::vector<MirrorPlane> mirrors = {};
   Chosen chosen = {};         // the rule by which this mesh was taken
   std::size_t quadParts = 0;  // connected parts of quads

@@ -5,6 +5,7 @@
 
 #include <map>
 #include <numeric>
+#include <set>
 #include <tuple>
 
 #include "support/shapes.h"
@@ -93,6 +94,21 @@ TEST_CASE("part by part: parts that a plane mirrors onto each other are one") {
   RemeshOptions off;
   off.symmetry = Symmetry::Off;
   CHECK(partsOf(mesh, off).size() == 3);
+}
+
+TEST_CASE("part by part: the planes counted mirror all parts") {
+  TriangleMesh mesh;
+  add(mesh, shapes::cube(2), 2, Vec3(-2, -2, -2));
+  add(mesh, shapes::cube(2), 1, Vec3(5, -0.5, -1));
+  const RemeshOutcome made = quadsOf(mesh, 300);
+  CHECK(made.mirrors.size() > 0);
+  std::set<std::tuple<double, double, double>> places;
+  for (const Vec3& p : made.mesh.positions) places.insert({p.x(), p.y(), p.z()});
+  for (const MirrorPlane& plane : made.mirrors)
+    for (const Vec3& p : made.mesh.positions) {
+      const Vec3 image = plane.mirrored(p);
+      CHECK(places.contains({image.x(), image.y(), image.z()}));
+    }
 }
 
 TEST_CASE("part by part: attributes and groups of each part come with it") {
