@@ -210,7 +210,7 @@ void makeConsistent(Soup& soup, std::vector<Warning>& warnings) {
        "Triangles were turned over to face the same side as most of their neighbours.",
        orientation.turned);
   warn(warnings, "NON_ORIENTABLE_CUT",
-       "The surface has only one side: along these edges its triangles face opposite sides.",
+       "The surface has only one side: at some edges its triangles face opposite sides.",
        orientation.conflicts);
   turnOver(soup, orientation.turn);
 }

@@ -30,19 +30,26 @@ std::vector<Index> acrossPlainEdges(std::size_t count, const EdgeGroups& edges) 
 }
 
 // Floods from one triangle and decides for each triangle reached whether to turn it over. Returns
-// the triangles reached.
+// the triangles reached. Edges at which the triangles agree are crossed first: a surface of one
+// side is cut where its file turns over, and not where two floods happen to meet.
 std::vector<Index> flood(std::span<const Index> corners, std::span<const Index> across, Index seed,
                          std::vector<char>& turn) {
-  std::vector<Index> reached = {seed};
+  std::vector<Index> reached = {seed}, disagreeing;
   turn[seed] = 0;
-  for (std::size_t i = 0; i < reached.size(); ++i) {
+  const auto reach = [&](Index h, char turned) {
+    turn[across[h] / 3] = turned;
+    reached.push_back(across[h] / 3);
+  };
+  for (std::size_t i = 0, k = 0; i < reached.size(); ++i) {
     for (Index h = 3 * reached[i]; h < 3 * reached[i] + 3; ++h) {
-      if (across[h] == kNone) continue;
-      const Index neighbor = across[h] / 3;
-      if (turn[neighbor] >= 0) continue;
-      turn[neighbor] = char(agree(corners, h, across[h]) ? turn[reached[i]] : !turn[reached[i]]);
-      reached.push_back(neighbor);
+      if (across[h] == kNone || turn[across[h] / 3] >= 0) continue;
+      if (agree(corners, h, across[h]))
+        reach(h, turn[reached[i]]);
+      else
+        disagreeing.push_back(h);
     }
+    for (; i + 1 == reached.size() && k < disagreeing.size(); ++k)
+      if (const Index h = disagreeing[k]; turn[across[h] / 3] < 0) reach(h, char(!turn[h / 3]));
   }
   return reached;
 }

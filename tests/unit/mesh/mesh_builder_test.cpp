@@ -218,6 +218,14 @@ TEST_CASE("mesh_builder: every repair is counted in its warning") {
   CHECK(warned(buildMesh(shapes::bowTie()), "NON_MANIFOLD_VERTICES_SPLIT") == 1);
 }
 
+TEST_CASE("mesh_builder: a surface with one side is cut where its file turns over") {
+  TriangleMesh strip = shapes::moebiusStrip(40);
+  std::rotate(strip.indices.begin(), strip.indices.begin() + 51, strip.indices.end());
+  const BuiltMesh built = buildMesh(strip);
+  CHECK(warned(built, "INCONSISTENT_ORIENTATION_FIXED") == 0);
+  CHECK(warned(built, "NON_ORIENTABLE_CUT") == 1);
+}
+
 TEST_CASE("mesh_builder: any bag of triangles becomes a manifold") {
   soups::Random random(5);
   for (int round = 0; round < 5000; ++round) {
