@@ -369,6 +369,10 @@ QuadMesh quadsOf(const Domain& domain, double vertices, SizeMaker& sizesOn) {
       found = std::move(even);
   }
   rewireLate(found, domain);
+  if (found && domain.distance.quadsAway(found->quads) > kMostAway) {
+    fires("quads: mended quads leave the surface");
+    return {};
+  }
   if (found && !isTorn && !work.isSpent()) {
     shortenLoops(*found, domain, maker, vertices);
     closeLoops(*found, domain, maker, vertices);

@@ -14,6 +14,15 @@ namespace {
 // Where quads leave the surface, many do.
 constexpr std::size_t kSomeQuads = 500;
 
+// The side of a square as large as the mean quad.
+double quadSide(const QuadMesh& quads) {
+  double twiceArea = 0;
+  for (const auto& [a, b, c, d] : quads.quads)
+    twiceArea +=
+        (quads.position(c) - quads.position(a)).cross(quads.position(d) - quads.position(b)).norm();
+  return twiceArea > 0 ? std::sqrt(twiceArea / 2 / double(quads.quads.size())) : 0;
+}
+
 }  // namespace
 
 QuadTree::QuadTree(const QuadMesh& mesh) : indices_(trianglesOf(mesh)) {
@@ -30,23 +39,26 @@ QuadDistance::QuadDistance(const WorkingMesh& mesh)
     : mesh_(mesh), tree_(mesh.mesh(), mesh.positions()) {}
 
 double QuadDistance::sidesAway(const QuadMesh& quads, double least) const {
-  double twiceArea = 0;
-  for (const auto& [a, b, c, d] : quads.quads)
-    twiceArea +=
-        (quads.position(c) - quads.position(a)).cross(quads.position(d) - quads.position(b)).norm();
-  if (!(twiceArea > 0)) return 0;
-  const double side = std::sqrt(twiceArea / 2 / double(quads.quads.size()));
-  const double enough = least * side;
+  const double side = quadSide(quads), enough = least * side;
+  if (!(side > 0)) return 0;
   const QuadTree tree(quads);
-  DistanceSampler ofMesh(*tree), ofQuads(tree_.triangles());
+  DistanceSampler ofMesh(*tree);
   for (const Vec3& p : mesh_.positions().values()) ofMesh.addBeyond(enough, p);
+  const double away = ofMesh.farthest() / side;
+  return std::max(away < least ? 0 : away, quadsAway(quads, least));
+}
+
+double QuadDistance::quadsAway(const QuadMesh& quads, double least) const {
+  const double side = quadSide(quads), enough = least * side;
+  if (!(side > 0)) return 0;
+  DistanceSampler ofQuads(tree_.triangles());
   for (std::size_t q = 0; q < quads.quads.size(); q += 1 + quads.quads.size() / kSomeQuads) {
     const auto& [a, b, c, d] = quads.quads[q];
     const Vec3 sum = quads.position(a) + quads.position(b) + quads.position(c) + quads.position(d);
     ofQuads.addBeyond(enough, sum / 4);
   }
-  const double farthest = std::max(ofMesh.farthest(), ofQuads.farthest());
-  return farthest < enough ? 0 : farthest / side;
+  const double away = ofQuads.farthest() / side;
+  return away < least ? 0 : away;
 }
 
 OriginalDistance::OriginalDistance(const WorkingMesh& ground)

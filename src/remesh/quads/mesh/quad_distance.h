@@ -35,6 +35,8 @@ class QuadDistance {
   // The largest distance of the mesh's vertices from the quads, and of the middles of some quads
   // from the mesh, in sides of quads; 0 if all are nearer than `least` sides.
   double sidesAway(const QuadMesh& quads, double least = 1) const;
+  // The same of the quads' middles only: tips that are still to be reached do not count.
+  double quadsAway(const QuadMesh& quads, double least = 1) const;
 
  private:
   const WorkingMesh& mesh_;

@@ -323,3 +323,34 @@ TEST_CASE("quads: tiny parts beside a body take no quads out of it") {
     CHECK(double(made.vertices) == doctest::Approx(vertices).epsilon(kFreeTolerance));
   }
 }
+
+TEST_CASE("quads: where a dozen curves have too little room for each other quads stay near") {
+  constexpr Index kAround = 12, kDown = 16;
+  constexpr double kTop = 0.25;  // of the hole, in radians
+  TriangleMesh ball;
+  RemeshOptions options;
+  for (Index y = 0; y <= kDown; ++y)
+    for (Index x = 0; x < kAround; ++x) {
+      const double down = kTop + (std::numbers::pi - kTop) * y / kDown;
+      const double across = y == kDown ? 0 : std::sin(down);
+      const Vec3 out = shapes::onCircle(int(x), kAround);
+      ball.positions.push_back(across * out + Vec3(0, 0, 1.5 * std::cos(down)));
+      if (y == kDown) continue;
+      const Index a = y * kAround + x, b = y * kAround + (x + 1) % kAround;
+      ball.indices.insert(ball.indices.end(), {a, a + kAround, b});
+      if (y + 1 < kDown) ball.indices.insert(ball.indices.end(), {b, a + kAround, b + kAround});
+      if (y == 0 || y + 1 == kDown) options.featureEdges.push_back({a, a + kAround});
+    }
+  options.quads = true;
+  options.symmetry = Symmetry::Off;
+  options.vertices = 700;
+  const TriangleMesh quads = remeshSurface(ball, options, Progress()).mesh;
+  double nearest = 1;
+  for (std::size_t i = 0; i < quads.indices.size(); i += 3) {
+    Vec3 middle = Vec3::Zero();
+    for (std::size_t k = 0; k < 3; ++k) middle += quads.positions[quads.indices[i + k]] / 3;
+    middle.z() /= 1.5;
+    nearest = std::min(nearest, middle.norm());
+  }
+  CHECK(nearest > 0.85);
+}

@@ -31,6 +31,7 @@ TEST_CASE("quad_distance: quads that follow a ball are near, those that leave it
   for (const Four<Index>& quad : half.quads) isBelow.push_back(half.position(quad[0]).z() < 0);
   dropQuads(half, isBelow);
   CHECK(distance.sidesAway(half) > 0.9 / side);
+  CHECK(distance.quadsAway(half) == 0);
   CHECK(original.farthest(half) > 0.9);
 
   QuadMesh across = quads;  // with one more, through the middle of the ball
@@ -43,5 +44,6 @@ TEST_CASE("quad_distance: quads that follow a ball are near, those that leave it
   across.quads.push_back({farthestTo(Vec3::UnitX()), farthestTo(Vec3::UnitY()),
                           farthestTo(-Vec3::UnitX()), farthestTo(-Vec3::UnitY())});
   CHECK(distance.sidesAway(across) > 0.8 / side);
+  CHECK(distance.quadsAway(across) > 0.8 / side);
   CHECK(original.farthest(across) > 0.8);
 }
