@@ -286,6 +286,7 @@ set(small
   src/remesh/quads/map/spacing.cpp
   src/remesh/quads/map/untangle.cpp
   src/remesh/quads/mapped.cpp
+  src/remesh/quads/mesh/joint_sides.cpp
   src/remesh/quads/mesh/quad_borders.cpp
   src/remesh/quads/mesh/quad_check.cpp
   src/remesh/quads/mesh/quad_distance.cpp

@@ -184,6 +184,7 @@ add_executable(unit_tests
   tests/unit/remesh/quads/map/seamless_map_test.cpp
   tests/unit/remesh/quads/map/seamless_system_test.cpp
   tests/unit/remesh/quads/map/untangle_test.cpp
+  tests/unit/remesh/quads/mesh/joint_sides_test.cpp
   tests/unit/remesh/quads/mesh/quad_borders_test.cpp
   tests/unit/remesh/quads/mesh/quad_check_test.cpp
   tests/unit/remesh/quads/mesh/quad_distance_test.cpp

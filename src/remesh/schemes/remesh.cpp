@@ -10,6 +10,7 @@
 
 #include "original/surface/original_tree.h"
 #include "remesh/accuracy/lower_hausdorff.h"
+#include "remesh/quads/mesh/joint_sides.h"
 #include "remesh/quads/mesh/triangulated.h"
 #include "remesh/quads/quads.h"
 #include "remesh/schemes/as_quads.h"
@@ -122,6 +123,7 @@ RemeshOutcome remeshToQuads(Plan plan, const TriangleMesh& input, const RemeshOp
   const Prepared& original = *originals.front();
   WorkingMesh mesh = triangulated(quads.mesh, original.surface());
   if (wanted.quality != Quality::Draft) bringNearer(mesh, original, options, quantumOf(input));
+  if (!wanted.exact) meetAtJoints(mesh);  // vertices at one place would count once
   std::vector<InputPlace> places;
   if (options.textures == Textures::Bake || isHalf) places = cornerPlaces(mesh, input);
   std::vector<Warning> warnings = original.warnings();
