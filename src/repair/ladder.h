@@ -15,7 +15,7 @@ inline constexpr double kMostDiskOfBody = 0.05;     // ratio of areas
 inline constexpr double kMostSheets = 0.3;          // ratio of areas
 inline constexpr double kMostCrossingsLeft = 0.05;  // ratio of triangles
 // Nor to one of which closing loops would remove more than kMostRemoved, as of loose triangles.
-inline constexpr double kMostRemoved = 10;  // percent of the area
+inline constexpr double kMostRemoved = 20;  // percent of the area
 
 // 2. The lattice's bodies are taken if nearly all half lines agree which points are inside, and
 // hardly any visible surface is lost.

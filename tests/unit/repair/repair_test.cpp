@@ -13,6 +13,7 @@
 
 #include "base/error.h"
 #include "measure/mesh_report.h"
+#include "measure/self_intersections.h"
 #include "mesh/canonical_order.h"
 #include "support/hostile_shapes.h"
 #include "support/shapes.h"
@@ -188,6 +189,22 @@ TEST_CASE("repair: how many triangles a sheet has does not decide that it is one
     for (Vec3& p : sheet.positions) p.z() = 0.1 * std::sin(7 * p.x()) * std::cos(5 * p.y());
     CHECK(mended(sheet).report.reason == "sheets");
   }
+}
+
+TEST_CASE("repair: a ball that lacks a fifth of its triangles, here and there, is closed") {
+  TriangleMesh ball = shapes::icosphere(12);
+  const TriangleMesh whole = ball;
+  ball.indices.clear();
+  std::uint32_t state = 5;
+  for (std::size_t i = 0; i < whole.indices.size(); i += 3) {
+    state = state * 1664525 + 1013904223;
+    if (state >> 16 < 0x10000 / 5) continue;
+    for (std::size_t k = 0; k < 3; ++k) ball.indices.push_back(whole.indices[i + k]);
+  }
+  const RepairedMesh result = mended(ball);
+  CHECK(result.report.reason == "closed");
+  CHECK(inspectMesh(result.mesh).boundaryEdges == 0);
+  CHECK(selfIntersections(result.mesh).empty());
 }
 
 TEST_CASE("repair: auto leaves sheets alone, with a warning that has a place") {
