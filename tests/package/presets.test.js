@@ -106,7 +106,7 @@ test('a model within the budget keeps its textures and triangles, and so do leav
   const { report: { lods } } = await stoodFor(maker('MASK', 1), 5000, { lods: [0.5] });
   assert.ok(lods[0].output.triangles <= ring.indices.length / 6, 'a level has its share of them');
   assert.equal((await stoodFor(maker('MASK', 1), 300)).report.preset.textures, undefined);
-  assert.equal((await stoodFor(maker('OPAQUE', 1), 100)).report.preset.textures, 'bake');
+  assert.equal((await stoodFor(maker('OPAQUE', 1), 50)).report.preset.textures, 'bake');
   assert.equal((await stoodFor(maker('OPAQUE', 2), 5000)).report.preset.textures, 'bake');
 });
 
@@ -122,12 +122,17 @@ test('materials of one kind are baked to one; with light and without are two kin
 });
 
 test('a surface of few seams keeps its textures unless it is reduced much', () => {
-  const tree = (vertices, textures) => ({ materials: [{}], textures,
+  const tree = (vertices, textures, material = {}) => ({ materials: [material], textures,
     accessors: [{ count: vertices }, { count: 3 * 4000 }],
     meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1 }] }] });
-  const [few, many] = [2500, 12000];
+  const [hardlyAny, few, many] = [2050, 2500, 12000];
   assert.ok(!isWorthBaking(tree(few, [{}]), 1500));
   assert.ok(isWorthBaking(tree(few, [{}]), 600), 'a normal map shows what shape is lost');
+  assert.ok(!isWorthBaking(tree(hardlyAny, [{}]), 600));
+  assert.ok(isWorthBaking(tree(hardlyAny, [{}]), 300));
+  const blended = tree(few, [{}], { alphaMode: 'BLEND' });
+  assert.ok(isWorthBaking(blended, 1500), 'baking keeps the order in which triangles are drawn');
+  assert.ok(!isWorthBaking(blended, 5000));
   assert.ok(isWorthBaking(tree(many, [{}]), 3000), 'seams would take most vertices');
   assert.ok(isWorthBaking(tree(few, []), 1500), 'there are no texels to keep');
 });

@@ -8,8 +8,9 @@ const kindOf = ({ alphaMode = 'OPAQUE', doubleSided = false, extensions = {} }) 
 
 const triangleList = 4;
 
-/** The share of its triangles that a model must keep to look best with its own textures. */
-const mildly = 1 / 4;
+/** The share of its triangles that a model must keep to look best with its own textures: in
+ * general, and where seams have at most one vertex for so many triangles of the budget. */
+const [mildly, mildlyWhole, hardlyAny] = [1 / 4, 1 / 10, 8];
 
 /** The triangles of a file, and about how many vertices lie on seams and boundaries: a closed
  * surface without any has half as many vertices as triangles, and these make up half of each cut.
@@ -29,7 +30,8 @@ function sizesOf({ meshes = [], accessors = [] }) {
  * Whether the preset `asset` bakes new textures: several materials become one. Triangles that all
  * stay keep their own texture coordinates. So does a surface that is not reduced much and has fewer
  * vertices on seams than the budget has triangles: its texels stay sharp. So do cards whose alpha
- * cuts them out: many leaves share the texels of one.
+ * cuts them out: many leaves share the texels of one. What is blended is baked: later triangles lie
+ * over earlier ones, and only baking keeps that order.
  * @param {any} tree of a glTF file, its JSON
  * @param {number} faces the budget; 0: there is none
  * @returns {boolean}
@@ -40,7 +42,11 @@ export function isWorthBaking(tree, faces) {
     if (new Set(materials.map(kindOf)).size < materials.length) return true;
     if (materials.some((/** @type {any} */ { alphaMode }) => alphaMode === 'MASK')) return false;
     const { triangles, seams } = sizesOf(tree);
-    const isMild = textures.length > 0 && seams <= faces && faces >= mildly * triangles;
+    if (materials.some((/** @type {any} */ { alphaMode }) => alphaMode === 'BLEND')) {
+      return faces < triangles;
+    }
+    const least = hardlyAny * seams <= faces ? mildlyWhole : mildly;
+    const isMild = textures.length > 0 && seams <= faces && faces >= least * triangles;
     return !isMild && faces < triangles;
   } catch {
     return true; // the engine says what is wrong with the file
