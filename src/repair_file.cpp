@@ -57,6 +57,7 @@ RemeshFileResult repairFile(const FileBundle& input, const std::string& outputNa
     return repairOnly(model.parts, heldIn(outputName), ifSound, options, whole.part(kReadShare, 1));
   });
   model.leftOut = repaired.leftOut;
+  model.polygons += repaired.quadsCut;
   Report& report = repaired.report;
   const bool mayPaint = !input.pictures.empty() && io::canHold(outputName, io::kHoldsImages);
   const RemeshOptions painting =

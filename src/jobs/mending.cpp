@@ -278,14 +278,18 @@ RepairedParts repairOnly(std::vector<io::Part>& parts, Held held, IfSound ifSoun
           joined(std::move(report.warnings), {passedOn(part, "No triangle has an area.")});
   // Parts that lost pieces or went are not as they were given.
   bool isUnchanged = parts.size() == given.size();
+  std::size_t quadsCut = 0;
   for (std::size_t i = 0, p = 0; i < given.size(); ++i) {
     if (mending.isGone()[i]) continue;
-    const bool isSame = io::isSame(parts[p++].mesh, given[i].mesh);
+    const TriangleMesh& before = given[i].mesh;
+    const TriangleMesh& after = parts[p++].mesh;
+    if (before.isQuads && !after.isQuads) quadsCut += before.triangleCount() / 2;
+    const bool isSame = io::isSame(after, before);
     report.chosen.push_back(inReport(choose(
         Decision::RepairOnly, [&](Fact fact) { return fact == Fact::Unchanged && isSame; })));
     isUnchanged = isUnchanged && isSame;
   }
-  return {std::move(report), mending.isRemade(), isUnchanged, mending.leftOut()};
+  return {std::move(report), mending.isRemade(), isUnchanged, mending.leftOut(), quadsCut};
 }
 
 }  // namespace remesher

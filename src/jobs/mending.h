@@ -76,6 +76,7 @@ struct RepairedParts {
   bool isRemade;             // see Mending
   bool isUnchanged;          // whether every part is as it was given, bit for bit
   std::vector<int> leftOut;  // see Mending::leftOut
+  std::size_t quadsCut;      // of parts that were all quads and are no more
 };
 
 // Repairs the parts in place. The report describes them as the file holds them, and lacks only the

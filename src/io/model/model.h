@@ -70,10 +70,10 @@ struct Model {
   std::string unit = {};  // that its file states, as 3MF calls it
   std::vector<Warning> warnings;
   std::shared_ptr<const Source> source;  // null if the parts hold everything
-  std::size_t polygons = 0;  // of more than three corners, in a file whose faces are not all quads
-  std::vector<std::string> lost;    // semantics lost when parts became one
-  bool replacesLevels = false;      // drop the source's levels of detail
-  std::vector<int> leftOut = {};    // the numbers of meshes of the file that are shown no more
+  std::size_t polygons = 0;              // of more than three corners, that are cut into triangles
+  std::vector<std::string> lost;         // semantics lost when parts became one
+  bool replacesLevels = false;           // drop the source's levels of detail
+  std::vector<int> leftOut = {};         // the numbers of meshes of the file that are shown no more
   bool isExact = false;             // in text coordinates get the digits of doubles, floats as well
   bool hasNewTexcoords = false;     // the parts' texture coordinates are not the file's
   bool sharesNodes = false;         // formats with nodes hold one for all parts at a place

@@ -35,3 +35,21 @@ TEST_CASE("formats: converting counts the polygons that become triangles, if the
   CHECK(cut("a.ply", ply + mixed, "a.ply") == 0);
   CHECK(cut("a.off", off + mixed, "a.stl") == 0);
 }
+
+TEST_CASE("formats: repair counts the quads that it cuts, if they might stay") {
+  const std::string box =
+      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+      "f 4 3 2 1\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+  RemeshOptions options;
+  options.repair = Repair::Auto;
+  const auto cut = [&](const std::string& text, const std::string& output) {
+    std::size_t count = 0;
+    for (const Warning& warning :
+         repairFile({textFile("a.obj", text), {}}, output, options).report.warnings)
+      if (warning.code == "POLYGONS_CUT") count += warning.count;
+    return count;
+  };
+  CHECK(cut(box, "a.obj") == 5);
+  CHECK(cut(box, "a.stl") == 0);
+  CHECK(cut(box + "f 5 6 7 8\n", "a.obj") == 0);
+}
