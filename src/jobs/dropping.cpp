@@ -236,7 +236,7 @@ Dropped dropHiddenTriangles(std::vector<io::Part>& parts, Hidden hidden) {
   keepUnmarkedIn(parts, isGone);
   dropped.warnings.push_back({"HIDDEN_DROPPED",
                               "Triangles that nobody sees from outside were left out, as asked. "
-                              "The first of them lay near (" +
+                              "The first was near (" +
                                   first + ").",
                               dropped.report.hidden, dropped.report.hiddenAt.front()});
   return dropped;

@@ -42,7 +42,7 @@ std::vector<Warning> inWords(std::vector<PlacedWarning> warnings,
       placed.warning.message
           .append(placed.across > 0 ? " The widest is " + inDigits(placed.across, kWidthDigits) +
                                           " across and lies near ("
-                                    : " The first of it lies near (")
+                                    : " The first is near (")
           .append(placeInWords(*placed.at, parts))
           .append(").");
     result.push_back(std::move(placed.warning));

@@ -175,7 +175,7 @@ std::vector<Warning> warningsOn(const PlyContent& content) {
     warn("NOT_TRIANGLES", "Faces of fewer than three corners are left out.", faces.degenerate);
   }
   warn("NOT_TRIANGLES",
-       "Only faces are remeshed; the result lacks: " + legibleList(content.otherElements) + ".",
+       "Only faces are read; left out: " + legibleList(content.otherElements) + ".",
        content.otherElements.size());
   std::size_t notFinite = content.vertices.notFinite;
   for (const PlyFaces& faces : content.faces) notFinite += faces.notFinite;

@@ -409,7 +409,7 @@ Model readObj(const File& file, const std::vector<File>& resources) {
   findLibraries(*source, resources, model.warnings);
   if (content.skippedElements > 0)
     model.warnings.push_back({"NOT_TRIANGLES",
-                              "Points, lines and curves are not remeshed; the result lacks them.",
+                              "Only faces are read; points, lines and curves are left out.",
                               content.skippedElements});
   if (content.corners.size() == 0)
     throw Error(ErrorCode::NoTriangles, legible(file.name) + " has no faces.",

@@ -53,3 +53,18 @@ TEST_CASE("formats: repair counts the quads that it cuts, if they might stay") {
   CHECK(cut(box, "a.stl") == 0);
   CHECK(cut(box + "f 5 6 7 8\n", "a.obj") == 0);
 }
+
+TEST_CASE("formats: an inspection speaks of no result") {
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+      "element edge 1\nproperty int vertex1\nproperty int vertex2\nend_header\n"
+      "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n0 1\n";
+  const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2\n";
+  for (const File& file : {textFile("a.ply", ply), textFile("a.obj", obj)}) {
+    const std::vector<Warning> warnings = inspectFile({file, {}}).warnings;
+    REQUIRE(warnings.size() == 1);
+    CHECK(warnings[0].code == "NOT_TRIANGLES");
+    CHECK(warnings[0].message.find("result") == std::string::npos);
+  }
+}

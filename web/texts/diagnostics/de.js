@@ -131,7 +131,7 @@ export default {
   'warning.NON_ORIENTABLE_CUT': 'Die Fläche hat nur eine Seite: An diesen Kanten zeigen Dreiecke '
     + 'zu verschiedenen Seiten.',
   'warning.NOTHING_TO_REMESH': 'Es gibt keine Dreiecke: die Datei wird weitergegeben, wie sie ist.',
-  'warning.NOT_TRIANGLES': 'Nur Flächen werden neu vernetzt; anderes fehlt im Ergebnis.',
+  'warning.NOT_TRIANGLES': 'Nur Flächen werden gelesen; anderes wird weggelassen.',
   'warning.ONLY_REPAIRED': 'Teile der ausgebesserten Fläche liegen für ihre Zahlen zu nah '
     + 'beieinander und sind nicht neu vernetzt.',
   'warning.PARTS_MERGED': 'Eine Datei dieses Formats ist ein einziger Körper: Teile und '

@@ -132,7 +132,7 @@ export default {
   'warning.NON_ORIENTABLE_CUT': 'La surface n’a qu’un côté : à ces arêtes des triangles regardent '
     + 'des côtés opposés.',
   'warning.NOTHING_TO_REMESH': 'Il n’y a pas de triangles : le fichier est transmis tel quel.',
-  'warning.NOT_TRIANGLES': 'Seules les faces sont remaillées ; le reste manque au résultat.',
+  'warning.NOT_TRIANGLES': 'Seules les faces sont lues ; le reste est laissé de côté.',
   'warning.ONLY_REPAIRED': 'Des parties de la surface réparée sont trop proches pour leurs '
     + 'nombres et ne sont pas remaillées.',
   'warning.PARTS_MERGED': 'Ce fichier est un seul solide : parties et matériaux y sont fondus.',
