@@ -20,6 +20,7 @@ set(fast
   src/remesh/accuracy/two_sided_distance.cpp
   src/remesh/gate/angles.cpp
   src/remesh/gate/fidelity.cpp
+  src/remesh/gate/sharp_tips.cpp
   src/remesh/ground/decimate.cpp
   src/remesh/operators/collapse.cpp
   src/remesh/operators/flip.cpp

@@ -158,6 +158,7 @@ add_executable(unit_tests
   tests/unit/remesh/gate/error_bound_test.cpp
   tests/unit/remesh/gate/excess_test.cpp
   tests/unit/remesh/gate/fidelity_test.cpp
+  tests/unit/remesh/gate/sharp_tips_test.cpp
   tests/unit/remesh/ground/decimate_test.cpp
   tests/unit/remesh/ground/proxy_test.cpp
   tests/unit/remesh/guides/imprint_test.cpp

@@ -22,17 +22,20 @@ namespace remesher {
 
 namespace {
 
-// The most vertices tried: as a multiple of the input's, and of small inputs.
-constexpr double kMostTimes = 4, kMostOfSmall = 10'000;
+// The most vertices tried, in all: as a multiple of the input's, and of small inputs.
+constexpr double kMostTimes = 7, kMostOfSmall = 12'000;
 // The share of the triangles that may have smaller angles.
 constexpr double kFewSmall = 0.001;
-// Beyond few vertices twice as many must leave at most one in so many of the smaller angles.
+// Twice as many vertices must leave at most one in so many of the smaller angles, beyond few
+// vertices; and bring a mesh that keeps the angle nearer by as much.
 constexpr double kFewVertices = 2000;
 constexpr double kGains = 1.5;
 constexpr int kDigitsAway = 2;  // of a distance in a message
 // Triangles that keep the angle of a part may be away by so many distances that are just not seen;
 // those that keep lengths of edges, too, by more: such edges pass over narrow facets.
-constexpr double kMostSeen = 4, kMostOfLengths = 20;
+constexpr double kMostSeen = 4, kMostDented = 20;
+// The first part of a cost, beside 0 and 1: the mesh visibly dents the shape.
+constexpr double kDents = 2;
 
 // The share of the triangles that have smaller angles.
 double missedIn(const RemeshOutcome& made) {
@@ -108,19 +111,27 @@ class AngleSearch {
   RemeshOutcome withoutAngle() const {
     const RemeshOptions unlimited = withoutLimits(asked_);
     if (leavesNumberOpen(unlimited))
-      return remeshAtOpenNumber(input_, welding_, unlimited, progress_);
+      return remeshNearOpenNumber(input_, welding_, unlimited, progress_);
     return remeshSurface(input_, welding_, unlimited, progress_);
+  }
+
+  // The share of all triangles that have smaller angles.
+  double missedBy(const RemeshOutcome& made) const {
+    return 1 - wantedOf(made.mesh, asked_).minAngle->kept / 100;
   }
 
   // Twice as many vertices each time.
   void search(const RemeshOutcome& first) {
     hasShape_ = first.prefer == Prefer::Shape;
     const double most = std::max(kMostTimes * double(own_), kMostOfSmall);
-    for (double next = double(first.vertices); next <= most; next *= 2) {
+    double tried = 0;
+    for (double next = double(first.vertices); (tried += next) <= most; next *= 2) {
       options_.vertices = Index(next);
-      if (hasShape_ && takeUnlimited()) return;
-      if (takeLimited()) return;
+      if ((hasShape_ && takeUnlimited()) || takeLimited()) break;
     }
+    if (!best_ || away_ > kMostDented ||
+        (hasShape_ && !keepsAngle(*best_) && missedBy(*best_) >= missedBy(first)))
+      best_.reset();
   }
 
   // Takes the mesh made without the angle if that has the input's shape and keeps the angle.
@@ -140,12 +151,20 @@ class AngleSearch {
     const double before = std::exchange(missed_, missedIn(made));
     const double away = hasShape_ ? seenAway(input_, made) : 0;
     const bool keeps = keepsAngle(made);
-    if (!best_ || (keeps ? !keepsAngle(*best_) || away < away_ : missed_ < missedIn(*best_))) {
+    // First of all it must not dent the shape, then keep the angle.
+    const std::pair cost = away > kMostDented ? std::pair(kDents, away)
+                           : keeps            ? std::pair(0.0, away)
+                                              : std::pair(1.0, missed_);
+    if (!best_ || cost < cost_) {
       best_ = std::move(made);
       away_ = away;
+      cost_ = cost;
     }
-    const bool gainsLittle = *options_.vertices > kFewVertices && kGains * missed_ > before;
-    return keeps ? away <= 1 : gainsLittle;
+    if (keeps && away <= kMostDented) {
+      const double keptBefore = std::exchange(kept_, away);
+      return away <= 1 || kGains * away > keptBefore;
+    }
+    return !keeps && *options_.vertices > kFewVertices && kGains * missed_ > before;
   }
 
   void warn() {
@@ -165,6 +184,8 @@ class AngleSearch {
   bool hasShape_ = false;              // the mesh made without the angle has the input's shape
   std::optional<RemeshOutcome> best_;  // of all numbers tried
   double away_ = 0;                    // of the best mesh, as seenAway gives it
+  std::pair<double, double> cost_;     // of the best mesh
+  double kept_ = kInfinity;            // how far away the last mesh was that kept the angle
   double missed_ = kInfinity;          // by the mesh made last, as missedIn gives it
 };
 
@@ -203,7 +224,7 @@ RemeshOutcome remeshAtAngle(const TriangleMesh& input, Welding welding,
     if (fact != Fact::LimitsDent) return false;
     limited = remeshSurface(input, std::move(welding), options, progress.part(1, 1));
     if (unlimited.prefer == Prefer::Shape) away = seenAway(input, *limited);
-    return away > (options.edgeLength ? kMostOfLengths : kMostSeen);
+    return away > (options.edgeLength ? kMostDented : kMostSeen);
   });
   if (rule.taken == Candidate::Unlimited) {
     unlimited.chosen = inReport(rule);

@@ -29,7 +29,9 @@ Warning moreForAngle(std::size_t vertices, std::size_t own);
 // isotropic triangles, first with as many vertices, then with twice the number each time, until
 // hardly any angle is smaller and, if the mesh without the limit has the input's shape, the
 // distance is not visible. If no number does, takes the nearest mesh that keeps the angle and warns
-// SHAPE_TAKES_MORE. Tries at most 10,000 vertices or, if that is more, four times the input's.
+// SHAPE_TAKES_MORE; if all that do dent the shape, that with the fewest smaller angles, or the mesh
+// without the limit. The numbers tried are at most 12,000 in sum or, if that is more, seven times
+// the input's.
 RemeshOutcome remeshToAngle(const TriangleMesh& input, Welding welding,
                             const RemeshOptions& options, const Progress& progress);
 

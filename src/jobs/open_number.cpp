@@ -62,8 +62,12 @@ Warning takesMore(double enough, std::size_t own) {
 class OpenNumber {
  public:
   OpenNumber(const TriangleMesh& input, const Welding& welding, const RemeshOptions& asked,
-             const Progress& progress)
-      : input_(input), welding_(welding), asked_(asked), progress_(progress) {}
+             const Progress& progress, double mostTried)
+      : input_(input),
+        welding_(welding),
+        asked_(asked),
+        progress_(progress),
+        mostTried_(mostTried) {}
 
   RemeshOutcome run() {
     RemeshOutcome own = remeshSurface(input_, welding_, asked_, progress_);
@@ -103,7 +107,7 @@ class OpenNumber {
     for (double next = kMostTaken * own; !tried.isWithin(kNearNumber) && !tried.isEmpty();
          next = std::ceil(tried.next(2))) {
       (isDraftIsotropic(next) ? tried.does : tried.fails) = next;
-      if (!tried.isClosed() && tried.next(2) > kMostTried) return 0;
+      if (!tried.isClosed() && tried.next(2) > mostTried_) return 0;
     }
     return tried.does;
   }
@@ -124,6 +128,7 @@ class OpenNumber {
   const Welding& welding_;
   const RemeshOptions& asked_;
   const Progress& progress_;
+  const double mostTried_;  // beyond those that are taken
   double wouldSuffice_ = 0;
 };
 
@@ -137,7 +142,12 @@ bool leavesNumberOpen(const RemeshOptions& options) {
 
 RemeshOutcome remeshAtOpenNumber(const TriangleMesh& input, Welding welding,
                                  const RemeshOptions& options, const Progress& progress) {
-  return OpenNumber(input, welding, options, progress).run();
+  return OpenNumber(input, welding, options, progress, kMostTried).run();
+}
+
+RemeshOutcome remeshNearOpenNumber(const TriangleMesh& input, Welding welding,
+                                   const RemeshOptions& options, const Progress& progress) {
+  return OpenNumber(input, welding, options, progress, 0).run();
 }
 
 }  // namespace remesher

@@ -21,4 +21,8 @@ bool leavesNumberOpen(const RemeshOptions& options);
 RemeshOutcome remeshAtOpenNumber(const TriangleMesh& input, Welding welding,
                                  const RemeshOptions& options, const Progress& progress);
 
+// The same, without a search for numbers that are only named, not taken.
+RemeshOutcome remeshNearOpenNumber(const TriangleMesh& input, Welding welding,
+                                   const RemeshOptions& options, const Progress& progress);
+
 }  // namespace remesher

@@ -6,6 +6,7 @@
 
 #include "geometry/pattern_search.h"
 #include "remesh/gate/angles.h"
+#include "remesh/gate/sharp_tips.h"
 #include "remesh/operators/shift.h"
 #include "remesh/steps/local_search.h"
 
@@ -27,12 +28,14 @@ double smallestGone(const Run& run, const LocalChange& change) {
 // By how much the proposal at hand enlarges the smallest angle. Normals at corners say too little
 // of triangles this thin: whether they are lines, how far the surface moves and whether it meets
 // itself says enough. shift: the largest one, in model units.
-double wideningOf(const Run& run, double shift, double least) {
+double wideningOf(const Run& run, double shift, double least, WorkBudget& budget) {
   const FidelityRule& rule = run.asked.rule;
   const LocalChange& change = run.scratch.change;
+  budget.spend(double(change.coming.size()));
   const double gain =
       smallestComingAngle(run.mesh, change, rule.quantum) - smallestGone(run, change);
   if (gain <= least || flattens(run.mesh, change, rule.quantum)) return 0;
+  if (blunts(run.mesh, change, 2 * kSliver)) return 0;
   return shiftsBeyond(shift, run.mesh, change) || !rule.guard->allows(change) ? 0 : gain;
 }
 
@@ -65,11 +68,11 @@ void release(Run& run, const LocalChange& change) {
     run.mesh.release(run.mesh.mesh().origin(change.halfedge));
 }
 
-bool mendNeedle(Run& run, Face f) {
+bool mendNeedle(Run& run, Face f, WorkBudget& budget) {
   const Vertex v = run.mesh.mesh().vertices(f)[0];
   // A cell of the lattice that repair's surfaces follow is half an edge wide.
   const double shift = 0.5 * run.asked.scale * run.sizes.at(run.mesh.at(v));
-  const Objective objective = [&](double least) { return wideningOf(run, shift, least); };
+  const Objective objective = [&](double least) { return wideningOf(run, shift, least, budget); };
   LocalSearch search(run, objective, nullptr, bestStep(run, f, objective));
   if (!mends(run, search.best()))
     search.offerAtEdges(f, {EdgeMove::Flip, EdgeMove::CollapseInto, EdgeMove::Unite});
@@ -79,15 +82,16 @@ bool mendNeedle(Run& run, Face f) {
 
 }  // namespace
 
-bool mendNeedles(Run& run) {
+bool mendNeedles(Run& run, WorkBudget& budget) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
   // Not only the needles of now: a change may make a needle of a triangle that follows.
   std::vector<Face> all;
   for (Face f(0); f.index < mesh.faceCapacity(); ++f.index) all.push_back(f);
   const auto isBad = [&](Face f) {
-    return mesh.isAlive(f) && isNeedle(smallestAngle(run.mesh, f, run.asked.rule.quantum));
+    return !budget.isSpent() && mesh.isAlive(f) &&
+           isNeedle(smallestAngle(run.mesh, f, run.asked.rule.quantum));
   };
-  return mendEach(all, 1, isBad, [&](Face f) { return mendNeedle(run, f); });
+  return mendEach(all, 1, isBad, [&](Face f) { return mendNeedle(run, f, budget); });
 }
 
 }  // namespace remesher

@@ -100,8 +100,12 @@ Uncrossed withoutNeedles(Run& run, std::size_t vertices, Uncrossed result) {
   const FidelityRule& rule = run.asked.rule;
   if (rule.mode != Fidelity::Fold || rule.bound) return result;
   Prospect prospect(2 * run.asked.effort.polishRounds);
-  while (prospect.isGood(tooMany(run, vertices)) && mendNeedles(run))
+  // Where needles can be mended they take a few tens of places for each triangle of the mesh.
+  constexpr double kPlacesPerTriangle = 300;
+  WorkBudget budget(kPlacesPerTriangle * double(run.mesh.mesh().faceCount()));
+  while (prospect.isGood(tooMany(run, vertices)) && mendNeedles(run, budget))
     result.isReached = matchCount(run, vertices);
+  if (budget.isSpent()) fires("uncrossed: most places for needles");
   return result;
 }
 

@@ -11,6 +11,7 @@
 #include "geometry/pattern_search.h"
 #include "geometry/triangle.h"
 #include "remesh/gate/angles.h"
+#include "remesh/gate/sharp_tips.h"
 #include "remesh/operators/shift.h"
 #include "remesh/operators/smoothing.h"
 #include "remesh/steps/delaunay.h"
@@ -94,6 +95,7 @@ double savingOf(const Run& run, const WantedLimits& wanted, double shift, double
   const double gain = costGoing(run, change, wanted) - costComing(run, change, wanted);
   if (gain <= least + kSameCost) return 0;
   if (change.operation == Operation::Collapse && makesTooLong(run, change, wanted)) return 0;
+  if (blunts(run.mesh, change, wanted.angle)) return 0;
   if (judge(run.mesh, change, lenient(run)) != Verdict::Accepted) return 0;
   return shiftsBeyond(shift, run.mesh, change) ? 0 : gain;
 }
@@ -214,6 +216,13 @@ bool isBetweenCurves(const Run& run, Face f) {
                      [&](Vertex v) { return run.mesh.kind(v) != VertexKind::Interior; });
 }
 
+// Whether f is at a tip that is too sharp for the angle.
+bool isAtSharpTip(const Run& run, Face f, double angle) {
+  const auto corners = run.mesh.mesh().vertices(f);
+  return std::any_of(corners.begin(), corners.end(),
+                     [&](Vertex v) { return isSharpTip(run.mesh, v, angle); });
+}
+
 }  // namespace
 
 void keepWanted(Run& run, const WantedLimits& wanted, Number number) {
@@ -253,7 +262,8 @@ Unmet unmetOf(const Run& run, const WantedLimits& wanted) {
     if (length > wanted.longest) count(unmet.longEdges, run.mesh.isKept(h));
   }
   for (Face f(0); f.index < mesh.faceCapacity(); ++f.index)
-    if (mesh.isAlive(f) && smallestAngle(run.mesh, f) < wanted.angle)
+    if (mesh.isAlive(f) && smallestAngle(run.mesh, f) < wanted.angle &&
+        !isAtSharpTip(run, f, wanted.angle))
       count(unmet.smallAngles, isBetweenCurves(run, f));
   return unmet;
 }

@@ -24,8 +24,8 @@ enum class Number { Free, Matched, Kept };
 // run.
 void keepWanted(Run& run, const WantedLimits& wanted, Number number);
 
-// What is not as wanted, and of that the edges between vertices on curves, and the triangles whose
-// corners all lie on curves.
+// What is not as wanted, but for triangles at tips that are too sharp for the angle; and of that
+// the edges between vertices on curves, and the triangles whose corners all lie on curves.
 Unmet unmetOf(const Run& run, const WantedLimits& wanted);
 
 }  // namespace remesher

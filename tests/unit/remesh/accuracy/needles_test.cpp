@@ -32,7 +32,8 @@ TEST_CASE("needles: a step between sharp edges that is far lower than edges are 
     REQUIRE(shapes::worstAngle(test.mesh) < radians(6));
     CrossingGuard guard(test.mesh, {});
     test.run.asked.rule.guard = &guard;
-    for (int i = 0; i < 8 && mendNeedles(test.run); ++i) {
+    WorkBudget endless;
+    for (int i = 0; i < 8 && mendNeedles(test.run, endless); ++i) {
     }
     CHECK(shapes::worstAngle(test.mesh) >= radians(16));
     CHECK(check(test.mesh.mesh()) == "");
@@ -55,7 +56,8 @@ TEST_CASE("needles: where a small step along a sharp edge is enough, nothing els
   const VertexData<Vec3> before = test.mesh.positions();
   CrossingGuard guard(test.mesh, {});
   test.run.asked.rule.guard = &guard;
-  for (int i = 0; i < 8 && mendNeedles(test.run); ++i) {
+  WorkBudget endless;
+  for (int i = 0; i < 8 && mendNeedles(test.run, endless); ++i) {
   }
   CHECK(shapes::worstAngle(test.mesh) >= radians(16));
   REQUIRE(test.mesh.mesh().vertexCount() == before.size());
@@ -63,12 +65,26 @@ TEST_CASE("needles: where a small step along a sharp edge is enough, nothing els
     CHECK((test.mesh.position(Vertex(v)) - before[Vertex(v)]).norm() < 0.08);
 }
 
+TEST_CASE("needles: those at a tip too sharp for any other triangles do not blunt it") {
+  TriangleMesh spire = shapes::cone(16);
+  spire.positions[0].z() = 8;
+  shapes::TestRun test(spire);
+  CrossingGuard guard(test.mesh, {});
+  test.run.asked.rule.guard = &guard;
+  WorkBudget endless;
+  for (int i = 0; i < 8 && mendNeedles(test.run, endless); ++i) {
+  }
+  const TriangleMesh result = shapes::arraysOf(test.mesh);
+  CHECK(std::count(result.positions.begin(), result.positions.end(), Vec3(0, 0, 8)) == 1);
+}
+
 TEST_CASE("needles: a mesh without them stays as it is") {
   shapes::TestRun test(steppedCube(0.6));
   CrossingGuard guard(test.mesh, {});
   test.run.asked.rule.guard = &guard;
   const VertexData<Vec3> before = test.mesh.positions();
-  CHECK_FALSE(mendNeedles(test.run));
+  WorkBudget endless;
+  CHECK_FALSE(mendNeedles(test.run, endless));
   CHECK(test.mesh.positions().values() == before.values());
   CHECK(shapes::checkWorkingMesh(test.mesh) == "");
 }
