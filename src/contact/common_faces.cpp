@@ -48,10 +48,18 @@ class ComplexBuilding {
         complex_.triangles.push_back({corners, {triangle.body, triangle.group}, {}});
     }
     complex_.points = std::move(soup_.points);
+    weldPoints();
     return std::move(complex_);
   }
 
  private:
+  // Bodies may touch along whole edges as well, and in corners.
+  void weldPoints() {
+    const std::vector<Index> first = weld(complex_.points);
+    for (ComplexTriangle& t : complex_.triangles)
+      for (Index& corner : t.corners) corner = first[corner];
+  }
+
   BodySide sideOf(const FlatFaces& flat, Index face) const {
     if (face == kNone) return {};
     const BodyTriangle& first = soup_.triangles[flat.faces[face].triangles.front()];

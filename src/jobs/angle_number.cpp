@@ -9,6 +9,7 @@
 #include "base/fires.h"
 #include "base/legible.h"
 #include "base/place.h"
+#include "jobs/checks/crossing_check.h"
 #include "jobs/checks/wanted_check.h"
 #include "jobs/fewest_vertices.h"
 #include "jobs/open_number.h"
@@ -85,6 +86,54 @@ Warning awayFor(const std::string& limits, double away, const char* hint) {
                                   inDigits(100 * kSeen * away, kDigitsAway) +
                                   " % of the diagonal away. " + hint};
 }
+
+// Those of a part's facets with as few vertices as keep the limits.
+class FacetSearch {
+ public:
+  // asked: with a mean length of edges. first: the mesh of its number without limits.
+  FacetSearch(const TriangleMesh& input, const Welding& welding, const RemeshOptions& asked,
+              const RemeshOutcome& first)
+      : input_(input), welding_(welding), asked_(asked), first_(first) {}
+
+  // On narrow facets edges must be shorter than elsewhere. limited: isotropic triangles; edges that
+  // are too short there, too, are the part's own.
+  std::optional<RemeshOutcome> run(const TriangleMesh& limited, const Progress& progress) const {
+    constexpr double kTimes = 1.25, kMost = 8;  // the vertices of the first mesh
+    if (first_.prefer != Prefer::Shape) return std::nullopt;
+    RemeshOptions wanted = asked_, options = forFacets(asked_);
+    if (!keepsShortest(limited)) wanted.minEdge.reset();
+    options.edgeLength.reset();
+    for (double times = 1; times < kMost; times *= kTimes) {
+      options.vertices = Index(times * double(first_.vertices));
+      RemeshOutcome made = remeshSurface(input_, welding_, options, progress.part(1, 1));
+      if (made.prefer != Prefer::Shape) return std::nullopt;
+      if (wanted.minEdge && !keepsShortest(made.mesh)) return std::nullopt;
+      if (!keepsLimits(made.mesh, wanted)) continue;
+      if (times > 1) made.warnings.push_back(moreThan(first_.vertices, made.vertices));
+      return made;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  bool keepsShortest(const TriangleMesh& mesh) const {
+    RemeshOptions shortest;
+    shortest.minEdge = asked_.minEdge;
+    return keepsLimits(mesh, shortest);
+  }
+
+  static Warning moreThan(std::size_t asked, std::size_t made) {
+    return {"MORE_VERTICES_TAKEN",
+            "Edges are shorter than was asked for: the smallest angle takes " +
+                std::to_string(made) + " vertices on narrow facets, not " + std::to_string(asked) +
+                "."};
+  }
+
+  const TriangleMesh& input_;
+  const Welding& welding_;
+  const RemeshOptions& asked_;
+  const RemeshOutcome& first_;
+};
 
 class AngleSearch {
  public:
@@ -215,17 +264,29 @@ RemeshOutcome remeshAtAngle(const TriangleMesh& input, Welding welding,
   if (!isFaceted(buildMesh(input)))
     return remeshSurface(input, std::move(welding), options, progress);
   RemeshOutcome unlimited = remeshSurface(input, welding, forFacets(options), progress);
-  std::optional<RemeshOutcome> limited;
+  std::optional<RemeshOutcome> limited, facets;
   double away = 0;
+  const auto isGood = [&] {
+    return away <= 1 && keepsLimits(limited->mesh, options) &&
+           crossingsMade(input, limited->mesh).empty();
+  };
   const Rule& rule = choose(Decision::Limits, [&](Fact fact) {
     if (fact == Fact::UnlimitedKeeps)
       return options.edgeLength ? keepsLimits(unlimited.mesh, options)
                                 : hasAngle(unlimited, *options.minAngle);
-    if (fact != Fact::LimitsDent) return false;
-    limited = remeshSurface(input, std::move(welding), options, progress.part(1, 1));
-    if (unlimited.prefer == Prefer::Shape) away = seenAway(input, *limited);
-    return away > (options.edgeLength ? kMostDented : kMostSeen);
+    if (fact == Fact::FacetsKeep) {
+      limited = remeshSurface(input, welding, options, progress.part(1, 1));
+      if (unlimited.prefer == Prefer::Shape) away = seenAway(input, *limited);
+      if (options.edgeLength && !isGood())
+        facets = FacetSearch(input, welding, options, unlimited).run(limited->mesh, progress);
+      return facets.has_value();
+    }
+    return fact == Fact::LimitsDent && away > (options.edgeLength ? kMostDented : kMostSeen);
   });
+  if (facets) {
+    facets->chosen = inReport(rule);
+    return std::move(*facets);
+  }
   if (rule.taken == Candidate::Unlimited) {
     unlimited.chosen = inReport(rule);
     return unlimited;

@@ -266,6 +266,8 @@ RemeshOptions TouchingParts::applied(RemeshOptions options) const {
     options.vertices =
         Index(std::max(1LL, std::llround(*options.ratio * double(inspectScaled(given_).vertices))));
   options.ratio.reset();
+  // The border of a common face may need more vertices than edges of this length.
+  if (options.edgeLength) options.tooFew = TooFew::Raise;
   return options;
 }
 

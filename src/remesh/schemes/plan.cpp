@@ -20,12 +20,12 @@ namespace {
 constexpr double kFiner = 4, kWorthThinning = 2;
 
 // At the same number of vertices graded sizes have a shorter mean edge than even ones: the number
-// is corrected for that.
+// is corrected for that. Not where joints are kept: others are no longer because these are short.
 std::size_t correctedTarget(const OriginalSurface& surface, const RemeshOptions& options,
                             const SizeRules& rules) {
   const auto vertices = std::size_t(rules.vertices);
   if (leadsByEdges(options)) return std::size_t(std::lround(SizeField(surface, rules).vertices()));
-  if (!options.edgeLength) return vertices;
+  if (!options.edgeLength || options.keepsJoints) return vertices;
   const double ratio = SizeField(surface, rules).meanEdge() / *options.edgeLength;
   return std::max<std::size_t>(4, std::size_t(std::lround(rules.vertices * ratio * ratio)));
 }
@@ -35,7 +35,7 @@ std::size_t finalTarget(const OriginalSurface& surface, const RemeshOptions& opt
   const std::size_t wanted = correctedTarget(surface, options, rules);
   const std::size_t corners = countCorners(surface.curves(), surface.mesh());
   const std::size_t vertices = options.tooFew == TooFew::Raise ? std::max(wanted, corners) : wanted;
-  if (corners > vertices) checkCurves(corners - copies, vertices - copies);
+  if (corners > vertices) checkCurves(corners - copies, std::max(vertices, copies) - copies);
   return vertices;
 }
 

@@ -122,6 +122,32 @@ TEST_CASE("conform: a smallest angle leads to a number, and to edges between fac
   }
 }
 
+TEST_CASE("conform: with a mean length longer than facets are wide, angles and shape are kept") {
+  RemeshOptions options;
+  options.conform = true;
+  options.minAngle = 20;
+  options.edgeLength = 1;
+  const TriangleMesh mesh = shapes::shaftInBore();
+  const RemeshResult made = remesh(mesh, options);
+  checkBodies(mesh, made);
+  CHECK(made.report.output->minAngle.worst >= 20);
+  CHECK(made.report.fidelity->hausdorff < 0.01);
+}
+
+TEST_CASE("conform: bodies that touch along a whole edge as well have its vertices in common") {
+  const TriangleMesh mesh =
+      shapes::together({shapes::box({0, 0, 0}, {4, 4, 4}), shapes::box({4, 0, 0}, {8, 4, 4}),
+                        shapes::box({0, 4, 4}, {4, 8, 8})});
+  RemeshOptions options;
+  options.conform = true;
+  options.edgeLength = 1;
+  options.maxEdge = 2;
+  options.minAngle = 20;
+  const RemeshResult made = remesh(mesh, options);
+  CHECK(made.report.output->wanted->maxEdge->missed == 0);
+  CHECK(!says(made.report, "VERTICES_COINCIDE"));
+}
+
 TEST_CASE("conform: borders of common faces stay, however few vertices are asked for") {
   for (const TriangleMesh& mesh : {shapes::shaftInBore(), shapes::eightCubes()}) {
     const RemeshResult made = remesh(mesh, conforming(90));
