@@ -7,6 +7,7 @@
 
 #include "base/place.h"
 #include "io/model/same_mesh.h"
+#include "jobs/angle_number.h"
 #include "jobs/checks/precision.h"
 #include "jobs/checks/repair_room.h"
 #include "jobs/checks/result_check.h"
@@ -167,7 +168,10 @@ void Mending::repair(std::vector<io::Part>& parts, const RemeshOptions& options,
   parts = std::move(repair_->parts);
   if (!isSized) return;
   const std::size_t mended = inspectScaled(parts).vertices;
-  if (mended > 0 && (options.ratio || mended != given.vertices)) ratio_ = target / double(mended);
+  // A smallest angle finds the number itself where the surface is still the input's.
+  const bool isFound = leadsByAngle(options) && !isRemade();
+  if (mended > 0 && (options.ratio || (mended != given.vertices && !isFound)))
+    ratio_ = target / double(mended);
 }
 
 void Mending::dropHidden(std::vector<io::Part>& parts, const RemeshOptions& options) {

@@ -264,3 +264,14 @@ TEST_CASE("conform: what it cannot keep is refused") {
     CHECK_THROWS_AS(remesh(shapes::twoBoxes(), options), Error);
   }
 }
+
+TEST_CASE("conform: without it bodies that touch are united, and a smallest angle is kept, too") {
+  RemeshOptions options;
+  options.minAngle = 20;
+  options.repair = Repair::Auto;
+  const TriangleMesh mesh = shapes::together(
+      {shapes::box({0, 0, 0}, {80, 50, 5}), shapes::box({10, -10, 5}, {60, 30, 9})});
+  const RemeshResult made = remesh(mesh, options);
+  REQUIRE(made.report.output->components == 1);
+  CHECK(made.report.output->minAngle.worst >= 20);
+}
