@@ -154,7 +154,7 @@ constexpr std::array kRules = {
          "unlimited-keeps",
          {is(Fact::UnlimitedKeeps)},
          Candidate::Unlimited,
-         "Without the limits the mesh keeps them, too."},
+         "Without the limits the mesh keeps them, too, but for one in a thousand at most."},
     Rule{Decision::Limits,
          "facets-keep",
          {is(Fact::FacetsKeep)},

@@ -23,8 +23,7 @@ class Nesting {
  public:
   Nesting(const BuiltMesh& built, const std::vector<Loop>& loops) : built_(built), loops_(loops) {
     for (std::size_t l = 0; l < loops.size(); ++l)
-      if (std::optional<RimPlane> plane = wallPlane(built, loops[l]))
-        rings_.push_back({l, *plane});
+      if (std::optional<RimPlane> plane = wallPlane(built, loops[l])) rings_.push_back({l, *plane});
     std::stable_sort(rings_.begin(), rings_.end(), [](const Ring& one, const Ring& other) {
       return one.plane.area > other.plane.area;
     });
