@@ -208,7 +208,6 @@ set(small
   src/measure/salient_vertices.cpp
   src/mesh/attribute_mix.cpp
   src/mesh/canonical_order.cpp
-  src/mesh/check.cpp
   src/mesh/coordinate_step.cpp
   src/mesh/edge_groups.cpp
   src/mesh/fan_cut.cpp

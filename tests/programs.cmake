@@ -8,7 +8,6 @@ add_executable(unit_tests
   tests/unit/arrangement/sheet_triangulation_test.cpp
   tests/unit/arrangement/snapping_test.cpp
   tests/unit/bake_test.cpp
-  tests/unit/base/bracket_test.cpp
   tests/unit/base/diagnostics_test.cpp
   tests/unit/base/legible_test.cpp
   tests/unit/base/patience_test.cpp
@@ -100,12 +99,12 @@ add_executable(unit_tests
   tests/unit/measure/quad_report_test.cpp
   tests/unit/measure/self_intersections_test.cpp
   tests/unit/mesh/canonical_order_test.cpp
-  tests/unit/mesh/check_test.cpp
   tests/unit/mesh/components_test.cpp
   tests/unit/mesh/coordinate_step_test.cpp
   tests/unit/mesh/edge_groups_test.cpp
   tests/unit/mesh/euler_operators_test.cpp
   tests/unit/mesh/given_order_test.cpp
+  tests/unit/mesh/halfedge_mesh_check_test.cpp
   tests/unit/mesh/halfedge_mesh_test.cpp
   tests/unit/mesh/handles_test.cpp
   tests/unit/mesh/hubs_test.cpp
@@ -263,6 +262,7 @@ add_executable(unit_tests
   tests/unit/simplify/simplify_test.cpp
   tests/unit/simplify/slabs_test.cpp
   tests/unit/simplify/thin_out_test.cpp
+  tests/unit/support/mesh_check.cpp
   tests/unit/textures/bake_onto_test.cpp
   tests/unit/textures/charts/atlas_figures_test.cpp
   tests/unit/textures/charts/chart_overlap_test.cpp
@@ -342,6 +342,7 @@ set(fuzz_targets
   tests/fuzz/native/threemf.cpp
   tests/fuzz/native/tree_changes.cpp
   tests/fuzz/native/vtu.cpp
+  tests/unit/support/mesh_check.cpp
 )
 add_executable(fuzz_replay EXCLUDE_FROM_ALL ${fuzz_targets}
   tests/fuzz/native/replay.cpp

@@ -7,7 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "base/bracket.h"
 #include "base/fires.h"
 #include "jobs/checks/crossing_check.h"
 #include "measure/hausdorff.h"

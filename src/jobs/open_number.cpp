@@ -7,7 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "base/bracket.h"
 #include "jobs/fewest_vertices.h"
 #include "measure/hausdorff.h"
 #include "measure/mesh_report.h"

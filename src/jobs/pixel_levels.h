@@ -5,8 +5,8 @@
 
 #include <functional>
 
-#include "base/bracket.h"
 #include "base/report.h"
+#include "jobs/fewest_vertices.h"
 #include "jobs/scene_run.h"
 
 namespace remesher {

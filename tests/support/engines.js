@@ -24,7 +24,7 @@ export const engines = [
   { kind: 'search for lost tips', before: 2, aim: 1,
     files: ['remesh/accuracy/tips', 'remesh/quads/shape/quad_tips'] },
   { kind: 'shortest paths along edges', before: 4, aim: 1, files: ['mesh/shortest_paths'] },
-  { kind: 'search for a number by trying', before: 4, aim: 1, files: ['base/bracket'] },
+  { kind: 'search for a number by trying', before: 4, aim: 1, files: ['jobs/fewest_vertices'] },
   { kind: 'table that chooses a mesh', before: 7, aim: 1, files: ['remesh/schemes/chooser'] },
 ];
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "laws.h"
-#include "mesh/check.h"
 #include "mesh/mesh_builder.h"
 #include "small_mesh.h"
+#include "support/mesh_check.h"
 #include "targets.h"
 
 void remesher::fuzz::buildAnyMesh(Input input) {

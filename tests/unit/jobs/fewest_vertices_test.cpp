@@ -3,6 +3,9 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <initializer_list>
+
 #include "measure/hausdorff.h"
 #include "measure/mesh_report.h"
 #include "support/parts.h"
@@ -122,4 +125,21 @@ TEST_CASE("fewest vertices: levels of detail are shares of what was found, and n
   options.maxError = 1;
   CHECK(optionsOfLevels(options, report).vertices == 77);
   CHECK(!optionsOfLevels(options, report).maxError);
+}
+
+TEST_CASE(
+    "fewest vertices: from any number on either side the search ends at the smallest that "
+    "suffices") {
+  for (const double least : {1.0, 2.0, 3.0, 100.0, 997.0, 12345.0})
+    for (const double first : {1.0, 50.0, 2000.0}) {
+      Bracket bracket;
+      int tries = 0;
+      for (double next = first; !bracket.isEmpty() && bracket.does != 1;
+           next = std::ceil(bracket.next(2))) {
+        REQUIRE(++tries < 40);
+        (next >= least ? bracket.does : bracket.fails) = next;
+        CHECK(!bracket.isWithin(1));
+      }
+      CHECK(bracket.does == least);
+    }
 }

@@ -7,9 +7,9 @@
 #include <set>
 
 #include "geometry/triangle.h"
-#include "mesh/check.h"
 #include "mesh/mesh_builder.h"
 #include "mesh/topology.h"
+#include "support/mesh_check.h"
 #include "support/shapes.h"
 #include "support/soups.h"
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "base/error.h"
-#include "mesh/check.h"
 #include "mesh/topology.h"
+#include "support/mesh_check.h"
 #include "support/shapes.h"
 #include "support/soups.h"
 

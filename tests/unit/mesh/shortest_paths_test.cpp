@@ -8,7 +8,7 @@
 
 using namespace remesher;
 
-// Paths over more and more vertices between, as Floyd and Warshall find them, have the same lengths.
+// Floyd and Warshall find the same lengths by paths over more and more vertices.
 TEST_CASE("shortest_paths: no path is shorter, and vertices are left in their order") {
   std::mt19937 random(11);
   constexpr Index kVertices = 24;

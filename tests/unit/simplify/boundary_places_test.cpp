@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "geometry/triangle.h"
-#include "mesh/check.h"
 #include "mesh/mesh_builder.h"
 #include "simplify/simplify.h"
+#include "support/mesh_check.h"
 #include "support/shapes.h"
 
 using namespace remesher;

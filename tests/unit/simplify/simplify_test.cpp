@@ -8,10 +8,10 @@
 
 #include "geometry/mesh_tree.h"
 #include "geometry/triangle.h"
-#include "mesh/check.h"
 #include "mesh/euler_operators.h"
 #include "mesh/mesh_builder.h"
 #include "mesh/topology.h"
+#include "support/mesh_check.h"
 #include "support/shapes.h"
 
 using namespace remesher;

@@ -8,9 +8,9 @@
 #include <string>
 
 #include "geometry/triangle.h"
-#include "mesh/check.h"
 #include "remesh/gate/angles.h"
 #include "remesh/operators/working_mesh.h"
+#include "support/mesh_check.h"
 #include "support/shapes.h"
 #include "support/soups.h"
 

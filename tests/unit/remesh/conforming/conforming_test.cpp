@@ -7,8 +7,8 @@
 
 #include "geometry/mesh_tree.h"
 #include "geometry/triangle.h"
-#include "mesh/check.h"
 #include "mesh/mesh_builder.h"
+#include "support/mesh_check.h"
 #include "support/parts.h"
 #include "support/shapes.h"
 

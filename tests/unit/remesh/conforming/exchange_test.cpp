@@ -5,11 +5,11 @@
 
 #include <cmath>
 
-#include "mesh/check.h"
 #include "mesh/mesh_builder.h"
 #include "remesh/conforming/refinement.h"
 #include "remesh/conforming/smoothing_facets.h"
 #include "remesh/conforming/thinning.h"
+#include "support/mesh_check.h"
 #include "support/parts.h"
 #include "support/shapes.h"
 

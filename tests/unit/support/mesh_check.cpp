@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/check.h"
+#include "support/mesh_check.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/check.h"
-
 #include <doctest/doctest.h>
 
 #include "mesh/euler_operators.h"
 #include "mesh/mesh_builder.h"
+#include "support/mesh_check.h"
 #include "support/shapes.h"
 
 namespace remesher {
