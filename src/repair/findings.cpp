@@ -67,12 +67,13 @@ void warnOfCrossings(RepairedMesh& result, const std::vector<Index>& crossings) 
 }
 
 void warnOfOneSided(RepairedMesh& result, const OneSided& found) {
-  addWarning(result,
-             {"ONE_SIDED",
-              "The surface has only one side, as a Möbius strip has: it has no outside, and at some "
-              "edges its triangles face opposite sides. Repair leaves it as it is.",
-              found.edges},
-             {found.at});
+  addWarning(
+      result,
+      {"ONE_SIDED",
+       "The surface has only one side, as a Möbius strip has: it has no outside, and at some "
+       "edges its triangles face opposite sides. Repair leaves it as it is.",
+       found.edges},
+      {found.at});
 }
 
 void warnOfHidden(RepairedMesh& result, std::vector<SizedPlace> hiddenAt) {
