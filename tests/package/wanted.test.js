@@ -7,6 +7,7 @@ import { test } from 'node:test';
 import { inspect, remesh, remeshFile } from 'remesher';
 import { optionTable } from 'remesher/options';
 
+import { reportInWords } from '../../dist/cli/report_in_words.js';
 import { rejectsWith } from '../support/errors.js';
 import { offText, sheetOf, torus } from '../support/shapes.js';
 
@@ -87,6 +88,8 @@ test('what the input rules out is said, with its place, its number and the reaso
   const { message, count, at } = report.warnings.find(({ code }) => code === 'EDGES_TOO_SHORT');
   assert.match(message, /shorter than 0\.15, the shortest 0\.1, near \(.*\)\. Of these, \d+ lie/);
   assert.deepEqual([count, at], [minEdge.missed, minEdge.at]);
+  assert.match(reportInWords({ ...report, unit: 'cm' }), /edges at most 0\.5 cm: all/);
+  assert.match(reportInWords({ ...report, unit: undefined }), /edges at most 0\.5: all/);
 });
 
 test('a number of vertices is kept, and the report says what it does not allow', async () => {

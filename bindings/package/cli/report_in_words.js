@@ -27,27 +27,34 @@ function quadsInWords({
   ];
 }
 
-const wantedNames = /** @type {const} */ ({ minEdge: ['edges', 'at least', 'shortest', ''],
-  maxEdge: ['edges', 'at most', 'longest', ''],
-  minAngle: ['angles', 'at least', 'smallest', '°'] });
+const wantedNames = /** @type {const} */ ({ minEdge: ['edges', 'at least', 'shortest'],
+  maxEdge: ['edges', 'at most', 'longest'],
+  minAngle: ['angles', 'at least', 'smallest'] });
 
-/** @param {import('../base/messages.js').Wanted} wanted */
-function wantedInWords(wanted) {
+/**
+ * Lengths in the model's unit, if it is known.
+ * @param {import('../base/messages.js').Wanted} wanted
+ * @param {{ diagonal: number, unit?: string }} model
+ */
+function wantedInWords(wanted, { diagonal, unit }) {
   const short = (/** @type {number} */ x) => Number(x.toPrecision(4));
+  const length = (/** @type {number} */ x) => (unit === undefined ? String(short(x))
+    : lengthInWords(x, unit, diagonal));
   const names = /** @type {(keyof typeof wantedNames)[]} */ (Object.keys(wantedNames));
   return names.flatMap((name) => {
     const figure = wanted[name];
     if (!figure) return [];
-    const [what, limit, worst, unit] = wantedNames[name];
+    const [what, limit, worst] = wantedNames[name];
+    const value = name === 'minAngle' ? (/** @type {number} */ x) => `${short(x)}°` : length;
     const share = figure.missed === 0 ? 'all' : `kept by ${figure.kept.toFixed(2)} %, `
       + `missed by ${figure.missed}`;
-    return [`  ${what} ${limit} ${short(figure.asked)}${unit}: ${share}; the ${worst} `
-      + `${short(figure.worst)}${unit}`];
+    return [`  ${what} ${limit} ${value(figure.asked)}: ${share}; the ${worst} `
+      + value(figure.worst)];
   });
 }
 
-/** @param {string} title @param {MeshReport} mesh */
-function meshInWords(title, mesh) {
+/** @param {string} title @param {MeshReport} mesh @param {any} report of the run */
+function meshInWords(title, mesh, report) {
   const { minAngle, maxAngle } = mesh;
   const shares = minAngle.histogram.map((percent) => percent.toFixed(1)).join('  ');
   return [
@@ -61,7 +68,7 @@ function meshInWords(title, mesh) {
       + `${mesh.valence6.toFixed(1)} %`,
     `  triangles by minimum angle, %, 0–10 … 50–60°: ${shares}`,
     ...(mesh.quads ? quadsInWords(mesh.quads) : []),
-    ...wantedInWords(mesh.wanted ?? {}),
+    ...wantedInWords(mesh.wanted ?? {}, report),
   ].join('\n');
 }
 
@@ -280,20 +287,21 @@ function warningsInWords({ warnings, lods = [] }) {
 export function reportInWords(report) {
   const parts = [];
   if (report.preset) parts.push(presetInWords(report.preset));
-  if (report.input) parts.push(meshInWords('input', report.input), sizeOfBox(report));
+  if (report.input) parts.push(meshInWords('input', report.input, report), sizeOfBox(report));
   if (report.faults) parts.push(faultsInWords(report.faults));
   if (report.dropped) parts.push(dropInWords(report.dropped));
   if (report.repair) parts.push(repairInWords(report.repair));
   if (report.boolean) parts.push(booleanInWords(report.boolean));
   if (report.atlas) parts.push(atlasInWords(report.atlas));
-  if (report.output) parts.push(meshInWords('output', report.output));
+  if (report.output) parts.push(meshInWords('output', report.output, report));
   if (report.conform) parts.push(conformInWords(report.conform));
   if (report.fidelity) {
     parts.push(distanceInWords(report.fidelity, report), ...lossOfShape(report));
   }
   if (report.chosen) parts.push(...chosenInWords(report));
   for (const [i, { output, fidelity, takesOver }] of (report.lods ?? []).entries()) {
-    parts.push(meshInWords(`level of detail ${i + 1}`, output), distanceInWords(fidelity, report));
+    parts.push(meshInWords(`level of detail ${i + 1}`, output, report),
+      distanceInWords(fidelity, report));
     if (takesOver) parts.push(switchInWords(takesOver, report));
   }
   if (report.textures?.length > 0) parts.push(texturesInWords(report.textures));
