@@ -3,6 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
+
+#include "base/place.h"
+#include "measure/hausdorff.h"
+#include "mesh/mesh_builder.h"
+#include "remesh/schemes/chooser.h"
+#include "remesh/schemes/kept_edges.h"
+#include "remesh/schemes/shape_comparison.h"
 
 namespace remesher {
 
@@ -19,6 +28,16 @@ constexpr int kMostDoublings = 16;
 // Each time that there are still too many quads, by so much more of the budget fewer are asked for:
 // neighbouring numbers of vertices give the same quads.
 constexpr double kFewerQuads = 0.01;
+// A part is visibly dented from this share of its diagonal on.
+constexpr double kDented = 0.01;
+// A part of more corners, such as one of voxels, is reduced as far as the budget asks.
+constexpr std::size_t kMostCorners = 100;
+
+// The larger of the largest distances both ways, over the diagonal.
+double awayOf(const TriangleMesh& input, const RemeshOutcome& made) {
+  const DeviationBothWays found = measureDeviation(input, made.mesh, Maximum::Sampled);
+  return std::max(found.toResult.maximum, found.toOriginal.maximum) / found.diagonal;
+}
 
 }  // namespace
 
@@ -68,6 +87,51 @@ bool FaceSearch::take(const MeshReport& made) {
   isSettled_ = isNear || missing == 0 || vertices < 1 || tries_ >= most;
   if (!isSettled_) next_ = Index(vertices);
   return isBest;
+}
+
+bool isBudget(const RemeshOptions& options) {
+  return (options.faces || options.ratio) && options.tooFew == TooFew::Refuse;
+}
+
+std::size_t cornersOfPart(const TriangleMesh& input, const RemeshOptions& options) {
+  if (!options.detectFeatures || options.quads) return 0;
+  const BuiltMesh built = buildMesh(input);
+  return isFaceted(built) ? countSharpCorners({built.mesh, built.positions}) : 0;
+}
+
+RemeshOutcome remeshToBudget(const TriangleMesh& input, Welding welding,
+                             const RemeshOptions& options, const Progress& progress) {
+  RemeshOutcome made = remeshSurface(input, welding, options, progress);
+  const std::size_t corners = cornersOfPart(input, options);
+  RemeshOutcome raised;
+  const auto isRaisedNearer = [&] {
+    const double away = awayOf(input, made);
+    if (away <= kDented) return false;
+    RemeshOptions more = options;
+    more.ratio.reset();
+    more.vertices = Index(corners);
+    raised = remeshSurface(input, std::move(welding), more, progress.part(1, 1));
+    return awayOf(input, raised) < away;
+  };
+  const Rule& rule = choose(Decision::Corners, [&](Fact fact) {
+    if (fact == Fact::CornersExceedNumber)
+      return made.vertices < corners && corners <= kMostCorners;
+    return fact == Fact::CornersDented && isRaisedNearer();
+  });
+  if (rule.taken != Candidate::AsMade) {
+    made = std::move(raised);
+    made.chosen = inReport(rule);
+  }
+  if (!options.ratio) return made;
+  const auto asked =
+      std::size_t(std::llround(*options.ratio * double(countPlaces(input.positions))));
+  if (made.vertices > asked)
+    made.warnings.push_back(
+        {"MORE_VERTICES_TAKEN",
+         "The number of vertices that --ratio gives, " + std::to_string(asked) +
+             ", is too small for the pieces and corners of this surface: the result has " +
+             std::to_string(made.vertices) + "."});
+  return made;
 }
 
 }  // namespace remesher

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 // A budget in triangles, or in quads: the number of vertices whose result has that many faces, or
-// as many fewer as the surface asks for.
+// as many fewer as the surface asks for. A budget too small for the corners of a part is raised.
 #pragma once
 
 #include <cstddef>
 
 #include "base/options.h"
+#include "base/progress.h"
 #include "base/report.h"
+#include "base/triangle_mesh.h"
+#include "mesh/welding.h"
+#include "remesh/schemes/remesh.h"
 
 namespace remesher {
 
@@ -45,5 +49,17 @@ class FaceSearch {
   int beyond_ = 0;  // results with more faces than the budget
   bool isSettled_ = false;
 };
+
+// Whether the number of vertices is a budget, of faces or as a share of the input's, that the
+// surface may raise: not that of a level of detail.
+bool isBudget(const RemeshOptions& options);
+
+// The corners of a part that is made of facets; 0 of other surfaces, and where features are off.
+std::size_t cornersOfPart(const TriangleMesh& input, const RemeshOptions& options);
+
+// Remeshes within a budget. Where that visibly dents a part with more corners, but few of them, it
+// has as many vertices as corners: MORE_VERTICES_TAKEN. Throws the Errors of remeshSurface.
+RemeshOutcome remeshToBudget(const TriangleMesh& input, Welding welding,
+                             const RemeshOptions& options, const Progress& progress);
 
 }  // namespace remesher

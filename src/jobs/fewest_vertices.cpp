@@ -253,6 +253,7 @@ RemeshOptions optionsOfLevels(RemeshOptions options, const Report& finest) {
   if (!asksForFewest(options) && !isRaised) return options;
   options.vertices = Index(finest.output->vertices);
   options.faces.reset();
+  options.ratio.reset();
   options.maxError.reset();
   options.lengths.maxError.reset();
   return options;

@@ -9,6 +9,7 @@
 #include "geometry/triangle.h"
 #include "jobs/angle_number.h"
 #include "jobs/checks/crossing_check.h"
+#include "jobs/face_budget.h"
 #include "jobs/fewest_vertices.h"
 #include "jobs/open_number.h"
 #include "jobs/part_repair.h"
@@ -44,6 +45,11 @@ RemeshOutcome runOn(PartInput part, Run remeshed, const RemeshOptions& options,
   return outcome;
 }
 
+// Among several parts others make up for a raised number.
+bool keepsCorners(const PartTarget& target) {
+  return target.targets.order().size() == 1 && isBudget(target.targets.of(target.surface));
+}
+
 RemeshOptions optionsFor(const PartTarget& target) {
   RemeshOptions options =
       target.unions.optionsOf(target.surface, target.targets.of(target.surface));
@@ -51,13 +57,24 @@ RemeshOptions optionsFor(const PartTarget& target) {
   return options;
 }
 
-RemeshOutcome remeshPart(PartInput part, const RemeshOptions& options, const Progress& progress) {
+// A budget of triangles that is too small is raised.
+RemeshOutcome remeshPart(PartInput part, const RemeshOptions& options, bool isOfBudget,
+                         const Progress& progress) {
+  const bool isRaised = isOfBudget && !options.quads && !options.maxError && options.bodies.empty();
   const Run remeshed = asksForFewest(options)      ? Run(remeshToFewest)
                        : leadsByAngle(options)     ? Run(remeshToAngle)
                        : limitsAngle(options)      ? Run(remeshAtAngle)
                        : leavesNumberOpen(options) ? Run(remeshAtOpenNumber)
+                       : isRaised                  ? Run(remeshToBudget)
                                                    : Run(remeshSurface);
-  return runOn(std::move(part), remeshed, options, progress);
+  if (!isRaised) return runOn(std::move(part), remeshed, options, progress);
+  try {
+    return runOn(part, remeshed, options, progress);
+  } catch (const TooFewVertices&) {
+    RemeshOptions raised = options;
+    raised.tooFew = TooFew::Raise;
+    return runOn(std::move(part), remeshed, raised, progress);
+  }
 }
 
 std::vector<Index> crossingsOf(const TriangleMesh& original, const RemeshOutcome& outcome,
@@ -92,9 +109,10 @@ bool mayReplace(const TriangleMesh& original, const RemeshOutcome& crossed,
 // Simplification does not look for self-intersections, which a surface that repair has made sound
 // must not have.
 RemeshOutcome remeshAsShown(PartInput part, const PartTarget& target, const Progress& progress) {
+  const TriangleMesh& mesh = part.mesh;
   try {
     RemeshOptions options = optionsFor(target);
-    RemeshOutcome outcome = remeshPart(part, options, progress);
+    RemeshOutcome outcome = remeshPart(part, options, keepsCorners(target), progress);
     if (options.repair == Repair::Off) return outcome;
     const Rule& rule = choose(Decision::Repaired, [&](Fact fact) {
       if (fact == Fact::SimplifiedTaken) return outcome.prefer == Prefer::Shape;
@@ -103,7 +121,7 @@ RemeshOutcome remeshAsShown(PartInput part, const PartTarget& target, const Prog
     if (rule.taken == Candidate::AsMade) return outcome;
     if (leavesNumberOpen(options)) options.vertices = Index(outcome.vertices);
     const bool isAsked = std::exchange(options.prefer, Prefer::Even) == Prefer::Shape;
-    outcome = remeshPart(std::move(part), options, progress);
+    outcome = remeshPart(std::move(part), options, keepsCorners(target), progress);
     outcome.chosen = inReport(rule);
     if (isAsked)
       outcome.warnings.push_back(
@@ -113,7 +131,10 @@ RemeshOutcome remeshAsShown(PartInput part, const PartTarget& target, const Prog
            1});
     return outcome;
   } catch (const TooFewVertices& error) {
-    target.targets.refuse(target.surface, error);
+    const std::size_t corners = cornersOfPart(mesh, target.targets.of(target.surface));
+    target.targets.refuse(target.surface, {error.code,
+                                           {error.target, std::max(error.needed, corners),
+                                            std::max(error.enough, corners)}});
   }
 }
 
@@ -125,7 +146,10 @@ UncrossedOutcome uncrossedAsShown(const ShownMesh& part, const PartTarget& targe
   bool isCrossed = false;
   std::vector<Index> crossings = crossingsOf(part.mesh, made, &isCrossed);
   RemeshOutcome other;
-  if (leavesNumberOpen(options)) options.vertices = Index(made.vertices);
+  if (leavesNumberOpen(options) || keepsCorners(target)) {
+    options.vertices = Index(made.vertices);
+    options.ratio.reset();
+  }
   const auto isReplacedBy = [&](Run run, Prefer prefer) {
     options.prefer = prefer;
     other = runOn({part.mesh, Welding(part.mesh), part.place}, run, options, progress);

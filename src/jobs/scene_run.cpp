@@ -239,13 +239,16 @@ bool maySimplify(const RemeshOptions& options) {
 // Remeshes with one number of vertices after the other, until the result has as many faces as the
 // budget allows. Most results meet it at once; later tries show no progress.
 SceneRun remeshTowards(const SceneInput& input, RemeshOptions options, const Progress& progress) {
-  options.tooFew = TooFew::Raise;
   FaceSearch search(options, input.originals.report());
   std::optional<SceneRun> best;
   while (!search.isSettled()) {
     options.vertices = search.vertices();
     SceneRun run = remeshInspected(input, options, best ? progress.part(1, 1) : progress);
-    const bool isHeld = run.report.stopped == Stopped::MaxError;
+    const bool areCornersKept =
+        std::any_of(run.report.chosen.begin(), run.report.chosen.end(),
+                    [](const Chosen& chosen) { return chosen.rule == "corners-kept"; });
+    const bool isHeld = run.report.stopped == Stopped::MaxError ||
+                        (areCornersKept && facesOf(*run.report.output) > *options.faces);
     if (search.take(*run.report.output)) best = std::move(run);
     if (isHeld) break;
   }

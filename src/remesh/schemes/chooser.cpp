@@ -150,6 +150,13 @@ constexpr std::array kRules = {
          "or be too many."},
     Rule{Decision::OpenNumber, "as-made", {}, Candidate::AsMade, "The mesh stays."},
 
+    Rule{Decision::Corners,
+         "corners-kept",
+         {is(Fact::CornersExceedNumber), is(Fact::CornersDented)},
+         Candidate::More,
+         "The budget would visibly dent the part: there are as many vertices as its corners need."},
+    Rule{Decision::Corners, "as-made", {}, Candidate::AsMade, "The mesh stays."},
+
     Rule{Decision::Limits,
          "unlimited-keeps",
          {is(Fact::UnlimitedKeeps)},

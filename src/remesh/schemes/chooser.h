@@ -20,6 +20,7 @@ enum class Decision {
   Quads,       // quads of one surface
   Bound,       // the fewest vertices within an error bound
   OpenNumber,  // neither a number of vertices nor a bound was given
+  Corners,     // a budget of vertices or faces, of a part with corners
   Limits,      // a number of vertices, and limits of angles or of edges as well
   OpenLimits,  // a smallest angle, which decides the number of vertices
   Repaired,    // a simplified mesh of a surface that was repaired
@@ -58,7 +59,7 @@ enum class Fact {
   MoreThanInput,   // vertices are wanted
   // About the candidates for one surface. A distance is seen if it is above kSeen.
   CornersExceedNumber,  // more corners of curves than vertices, where textures are baked or colours
-                        // would raise the number
+                        // would raise the number; of a budget: more sharp corners
   SimplifiedToNumber,   // simplification reaches the number asked for
   SimplifiedOrDivided,  // the same, or the original's triangles can be divided to it
   NumberReached,        // by the isotropic triangles
@@ -72,6 +73,7 @@ enum class Fact {
   SimplifiedNearer,     // the simplified mesh is so much nearer that it is worth its angles
   FlatSidesRefined,     // more vertices than the input's are wanted, and flat sides show dents
   BoundedReached,       // the number, within the bound
+  CornersDented,        // the number is too small for the part's corners, and dents it visibly
   // About quads.
   MirrorsKept,  // planes mirror the input, and quads that they mirror reach the number
   PartsPaired,  // some connected part has no map to squares

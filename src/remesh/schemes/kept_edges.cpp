@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/options.h"
+#include "base/place.h"
 #include "geometry/distance_sampler.h"
 #include "geometry/triangle.h"
 
@@ -32,6 +33,15 @@ std::vector<Halfedge> sharpEdgesOf(const Surface& surface, double angle) {
     if (one.dot(other) < std::cos(angle) * one.norm() * other.norm()) edges.push_back(h);
   }
   return edges;
+}
+
+// With the boundaries.
+std::vector<Halfedge> rimsOf(const Surface& surface, double angle) {
+  std::vector<Halfedge> rims = sharpEdgesOf(surface, angle);
+  for (Index i = 0; i < surface.mesh.halfedgeCapacity(); ++i)
+    if (surface.mesh.isAlive(Halfedge(i)) && surface.mesh.isBoundary(Halfedge(i)))
+      rims.emplace_back(i);
+  return rims;
 }
 
 // Edges as triangles whose second and third corner are one.
@@ -101,11 +111,8 @@ double shareOfSharpEdges(const Surface& original, const Surface& made, double ne
 
 double farthestOfRims(const Surface& surface, const MeshTree& other) {
   const HalfedgeMesh& m = surface.mesh;
-  std::vector<Halfedge> rims = sharpEdgesOf(surface, kHardlyBlunter * radians(kFeatureAngle));
-  for (Index i = 0; i < m.halfedgeCapacity(); ++i)
-    if (m.isAlive(Halfedge(i)) && m.isBoundary(Halfedge(i))) rims.emplace_back(i);
   DistanceSampler sampler(other.triangles());
-  for (const Halfedge h : rims) {
+  for (const Halfedge h : rimsOf(surface, kHardlyBlunter * radians(kFeatureAngle))) {
     const Vec3 &a = surface.positions[m.origin(h)], &b = surface.positions[m.tip(h)];
     for (const Vec3& p : {a, Vec3(0.5 * (a + b)), b}) sampler.addBeyond(sampler.farthest(), p);
   }
@@ -117,6 +124,30 @@ double changeOfVolume(const Surface& original, const Surface& made) {
   const Vec3 from = original.positions.values().front();
   const double own = volumeOf(original, from);
   return own == 0 ? 0 : (volumeOf(made, from) - own) / own;
+}
+
+std::size_t countSharpCorners(const Surface& surface) {
+  const HalfedgeMesh& m = surface.mesh;
+  struct Lines {
+    int count = 0;
+    Vec3 ways = Vec3::Zero();  // sum of the directions along them
+  };
+  VertexData<Lines> lines(m.vertexCapacity());
+  for (const Halfedge h : rimsOf(surface, radians(kFeatureAngle))) {
+    const Vertex a = m.origin(h), b = m.tip(h);
+    const Vec3 way = (surface.positions[b] - surface.positions[a]).normalized();
+    lines[a] = {lines[a].count + 1, lines[a].ways + way};
+    lines[b] = {lines[b].count + 1, lines[b].ways - way};
+  }
+  // Two directions whose lines bend by an angle have a sum of twice the sine of half of it.
+  const double least = 2 * std::sin(radians(kFeatureAngle) / 2);
+  std::vector<Vec3> corners;
+  for (Index i = 0; i < m.vertexCapacity(); ++i) {
+    const auto& [count, ways] = lines[Vertex(i)];
+    if (count != 0 && (count != 2 || ways.norm() >= least))
+      corners.push_back(surface.positions[Vertex(i)]);
+  }
+  return countPlaces(corners);
 }
 
 }  // namespace remesher

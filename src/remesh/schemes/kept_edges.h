@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What distances spread over a surface do not tell of a part: whether its sharp edges are still
-// there, how far its rims are cut, and its volume.
+// there, how far its rims are cut, its volume, and how many corners it has.
 #pragma once
 
 #include "geometry/mesh_tree.h"
@@ -23,5 +23,8 @@ double farthestOfRims(const Surface& surface, const MeshTree& other);
 
 // The difference of the volumes over the original's; 0 if that has a boundary, or no volume.
 double changeOfVolume(const Surface& original, const Surface& made);
+
+// The places where sharp edges or boundaries meet, end, or bend as sharply.
+std::size_t countSharpCorners(const Surface& surface);
 
 }  // namespace remesher

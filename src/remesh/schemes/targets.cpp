@@ -81,7 +81,7 @@ TooFewVertices::TooFewVertices(ErrorCode errorCode, const VertexNeeds& needs)
     : Error(errorCode, tooFew(errorCode, needs.target, needs.needed),
             "Ask for " + std::to_string(needs.enough) + " vertices or more" +
                 (errorCode == ErrorCode::TargetBelowCurves
-                     ? ", or for fewer features (featureAngle, boundary)."
+                     ? ", or for fewer features (--feature-angle, --boundary)."
                      : ".")),
       VertexNeeds(needs) {}
 

@@ -5,6 +5,10 @@
 
 #include <cmath>
 
+#include "mesh/welding.h"
+#include "support/shapes.h"
+#include "support/soups.h"
+
 namespace remesher {
 
 namespace {
@@ -100,6 +104,38 @@ TEST_CASE("face budget: quads have as many vertices as faces, but for open edges
   options.quads = true;
   CHECK(verticesFor(400, options, surface(8000, 2, 0)) == 402);
   CHECK(verticesFor(400, options, surface(800, 1, 80)) > 420);
+}
+
+TEST_CASE(
+    "face budget: a share keeps the corners of a part, and says so; a ball takes it as it is") {
+  RemeshOptions options;
+  options.ratio = 0.5;
+  CHECK(isBudget(options));
+  options.tooFew = TooFew::Raise;
+  CHECK(!isBudget(options));
+  TriangleMesh plate = shapes::cube(1);
+  for (Vec3& p : plate.positions) p.z() *= 0.2;
+  const auto made = [&](const TriangleMesh& mesh) {
+    return remeshToBudget(mesh, Welding(mesh), options, {});
+  };
+  const RemeshOutcome kept = made(plate);
+  CHECK(kept.vertices == 8);
+  REQUIRE(kept.warnings.size() == 1);
+  CHECK(kept.warnings.front().code == "MORE_VERTICES_TAKEN");
+  CHECK(cornersOfPart(plate, options) == 8);
+  TriangleMesh many;  // more corners than any budget is raised to
+  for (int i = 0; i < 13; ++i) {
+    TriangleMesh next = plate;
+    for (Vec3& p : next.positions) p.x() += 3 * i;
+    many = soups::joined({many, next});
+  }
+  CHECK(cornersOfPart(many, options) == 104);
+  CHECK(made(many).vertices < 104);
+  const TriangleMesh ball = shapes::icosphere(3);
+  const RemeshOutcome half = made(ball);
+  CHECK(cornersOfPart(ball, options) == 0);
+  CHECK(half.vertices == 46);
+  CHECK(half.warnings.empty());
 }
 
 }  // namespace remesher

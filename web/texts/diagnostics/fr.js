@@ -48,7 +48,11 @@ export default {
   'chosen.own-number': 'Aucun nombre de sommets n’était donné, et des triangles réguliers qui ne '
     + 'changent pas visiblement la forme en demanderaient trop : l’original garde son nombre et '
     + 'sa forme.',
+  'chosen.corners-kept': 'Si peu de sommets bosselleraient visiblement la pièce : il y en a autant '
+    + 'que ses coins en demandent.',
   'chosen.unlimited-keeps': 'Le maillage des facettes respecte déjà les limites de lui-même.',
+  'chosen.facets-keep': 'Le maillage des facettes respecte les limites, avec autant de sommets '
+    + 'qu’il le faut.',
   'chosen.limits-dent': 'Des triangles dans les limites bosselleraient visiblement la pièce : le '
     + 'maillage de ses facettes en garde la forme, mais pas toutes les limites.',
   'chosen.angle-kept-anyway': 'Le maillage fait sans tenir compte du plus petit angle le respecte.',

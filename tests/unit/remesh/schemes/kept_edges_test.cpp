@@ -69,3 +69,11 @@ TEST_CASE("kept edges: the volume grows with the cube of the size, and an open s
         doctest::Approx(1.1 * 1.1 * 1.1 - 1));
   CHECK(changeOfVolume(surfaceOf(open), surfaceOf(cube)) == 0);
 }
+
+TEST_CASE("kept edges: corners are where sharp edges meet or bend, once at each place") {
+  const BuiltMesh cube = buildMesh(centredCube(4)), sheet = buildMesh(shapes::grid(3, 5));
+  const BuiltMesh ball = buildMesh(shapes::icosphere(8));
+  CHECK(countSharpCorners(surfaceOf(cube)) == 8);
+  CHECK(countSharpCorners(surfaceOf(sheet)) == 4);
+  CHECK(countSharpCorners(surfaceOf(ball)) == 0);
+}
