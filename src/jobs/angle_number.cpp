@@ -87,25 +87,31 @@ Warning awayFor(const std::string& limits, double away, const char* hint) {
                                   " % of the diagonal away. " + hint};
 }
 
+// Whether the longest edge that is wanted leads to the number of vertices.
+bool leadsByLongest(const RemeshOptions& options) {
+  return options.maxEdge && leadsByEdges(options);
+}
+
 // Those of a part's facets with as few vertices as keep the limits.
 class FacetSearch {
  public:
-  // asked: with a mean length of edges. first: the mesh of its number without limits.
+  // asked: with a mean length of edges, or a longest one. first: the mesh of its number, or of the
+  // input's, without limits.
   FacetSearch(const TriangleMesh& input, const Welding& welding, const RemeshOptions& asked,
               const RemeshOutcome& first)
       : input_(input), welding_(welding), asked_(asked), first_(first) {}
 
   // On narrow facets edges must be shorter than elsewhere. limited: isotropic triangles; edges that
-  // are too short there, too, are the part's own.
-  std::optional<RemeshOutcome> run(const TriangleMesh& limited, const Progress& progress) const {
-    constexpr double kTimes = 1.25, kMost = 8;  // the vertices of the first mesh
+  // are too short there, too, are the part's own. away: of limited, as seenAway gives it.
+  std::optional<RemeshOutcome> run(const RemeshOutcome& limited, double away,
+                                   const Progress& progress) const {
     if (first_.prefer != Prefer::Shape) return std::nullopt;
-    RemeshOptions wanted = asked_, options = forFacets(asked_);
-    if (!keepsShortest(limited)) wanted.minEdge.reset();
-    options.edgeLength.reset();
+    RemeshOptions wanted = asked_;
+    if (!keepsShortest(limited.mesh)) wanted.minEdge.reset();
+    if (leadsByLongest(asked_)) return runLongest(wanted, limited.vertices, away, progress);
+    constexpr double kMost = 8;  // the vertices of the first mesh
     for (double times = 1; times < kMost; times *= kTimes) {
-      options.vertices = Index(times * double(first_.vertices));
-      RemeshOutcome made = remeshSurface(input_, welding_, options, progress.part(1, 1));
+      RemeshOutcome made = madeOf(times * double(first_.vertices), progress);
       if (made.prefer != Prefer::Shape) return std::nullopt;
       if (wanted.minEdge && !keepsShortest(made.mesh)) return std::nullopt;
       if (!keepsLimits(made.mesh, wanted)) continue;
@@ -116,6 +122,39 @@ class FacetSearch {
   }
 
  private:
+  static constexpr double kTimes = 1.25;  // the ratio of numbers tried
+
+  RemeshOutcome madeOf(double vertices, const Progress& progress) const {
+    RemeshOptions options = forFacets(asked_);
+    options.edgeLength.reset();
+    options.vertices = Index(vertices);
+    return remeshSurface(input_, welding_, options, progress.part(1, 1));
+  }
+
+  // With at most a third of the vertices that isotropic triangles take; with more only where these
+  // dent the part.
+  std::optional<RemeshOutcome> runLongest(const RemeshOptions& wanted, std::size_t isotropic,
+                                          double away, const Progress& progress) const {
+    constexpr double kLeast = 0.1, kFewer = 1.0 / 3, kMost = 2;  // of the isotropic triangles'
+    constexpr double kMostOfFacets = 4000;
+    const bool areDents = away > kMostSeen;
+    const auto keeps = [&](const RemeshOutcome& made) {
+      if (made.prefer != Prefer::Shape || !keepsLimits(made.mesh, wanted)) return false;
+      return areDents || wantedOf(made.mesh, wanted).maxEdge->kept == 100;
+    };
+    const double other = double(isotropic);
+    const double most = areDents ? std::max(kMost * other, kMostOfFacets) : kFewer * other;
+    double next = std::max(double(first_.vertices), kLeast * other);
+    if (next > most) return std::nullopt;
+    RemeshOutcome last = madeOf(most, progress);
+    if (!keeps(last)) return std::nullopt;
+    for (; next < most; next *= kTimes) {
+      RemeshOutcome made = madeOf(next, progress);
+      if (keeps(made)) return made;
+    }
+    return last;
+  }
+
   bool keepsShortest(const TriangleMesh& mesh) const {
     RemeshOptions shortest;
     shortest.minEdge = asked_.minEdge;
@@ -254,7 +293,8 @@ bool leadsByAngle(const RemeshOptions& options) {
 
 bool limitsAngle(const RemeshOptions& options) {
   const bool limitsEdges = options.minEdge || options.maxEdge;
-  return options.minAngle && (options.edgeLength || (!limitsEdges && hasNumber(options))) &&
+  const bool leads = options.edgeLength || leadsByLongest(options);
+  return options.minAngle && (leads || (!limitsEdges && hasNumber(options))) &&
          options.prefer == Prefer::Auto && options.scheme == Scheme::Best && !options.quads &&
          !options.maxError && options.bodies.empty();
 }
@@ -266,22 +306,27 @@ RemeshOutcome remeshAtAngle(const TriangleMesh& input, Welding welding,
   RemeshOutcome unlimited = remeshSurface(input, welding, forFacets(options), progress);
   std::optional<RemeshOutcome> limited, facets;
   double away = 0;
+  const bool limitsEdges = options.edgeLength || options.maxEdge;
   const auto isGood = [&] {
     return away <= 1 && keepsLimits(limited->mesh, options) &&
            crossingsMade(input, limited->mesh).empty();
   };
   const Rule& rule = choose(Decision::Limits, [&](Fact fact) {
-    if (fact == Fact::UnlimitedKeeps)
-      return options.edgeLength ? keepsLimits(unlimited.mesh, options)
-                                : hasAngle(unlimited, *options.minAngle);
+    if (fact == Fact::UnlimitedKeeps) {
+      if (!limitsEdges) return hasAngle(unlimited, *options.minAngle);
+      // A longest edge alone may need far fewer vertices than the input has.
+      return options.edgeLength && keepsLimits(unlimited.mesh, options);
+    }
     if (fact == Fact::FacetsKeep) {
       limited = remeshSurface(input, welding, options, progress.part(1, 1));
       if (unlimited.prefer == Prefer::Shape) away = seenAway(input, *limited);
-      if (options.edgeLength && !isGood())
-        facets = FacetSearch(input, welding, options, unlimited).run(limited->mesh, progress);
+      if (limitsEdges && !isGood())
+        facets = FacetSearch(input, welding, options, unlimited).run(*limited, away, progress);
       return facets.has_value();
     }
-    return fact == Fact::LimitsDent && away > (options.edgeLength ? kMostDented : kMostSeen);
+    // Without a number only the longest edge leads to vertices that could keep it.
+    return fact == Fact::LimitsDent && !leadsByLongest(options) &&
+           away > (options.edgeLength ? kMostDented : kMostSeen);
   });
   if (facets) {
     facets->chosen = inReport(rule);

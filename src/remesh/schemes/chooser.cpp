@@ -166,7 +166,7 @@ constexpr std::array kRules = {
          "facets-keep",
          {is(Fact::FacetsKeep)},
          Candidate::More,
-         "Narrow facets keep the limits with more vertices than the mean length takes."},
+         "Facets keep the limits and the shape, with as many vertices as that takes."},
     Rule{Decision::Limits,
          "limits-dent",
          {is(Fact::LimitsDent)},

@@ -84,7 +84,7 @@ enum class Fact {
   ResultIsotropic,     // the same of the result, which is nowhere seen to be away
   MoreSuffice,         // with at most four times the input's vertices the triangles are so
   UnlimitedKeeps,      // the mesh made without regard to the limits keeps them
-  FacetsKeep,          // facets keep the limits with more vertices than their mean length takes
+  FacetsKeep,          // facets keep the limits, if with more vertices than their mean length takes
   LimitsDent,          // triangles within the limits are far away, the others are not
   NumberFound,         // some number of vertices was tried for the angle
   ResultUnsound,       // open, not a 2-manifold, degenerate or self-intersecting

@@ -93,3 +93,22 @@ TEST_CASE("angle number: with a number of vertices, too, the facets of a part ke
     CHECK(std::max(found.toResult.maximum, found.toOriginal.maximum) <= 1e-9 * found.diagonal);
   }
 }
+
+TEST_CASE("angle number: with a longest edge a prism keeps its facets where others would dent it") {
+  TriangleMesh prism = shapes::cylinder(16, 1);
+  for (Vec3& p : prism.positions) p.z() *= 5;
+  RemeshOptions options = withAngle(25);
+  options.maxEdge = 1;
+  REQUIRE(limitsAngle(options));
+  const RemeshOutcome outcome = remeshAtAngle(prism, Welding(prism), options, {});
+  CHECK(outcome.chosen.rule == "facets-keep");
+  const DeviationBothWays found = measureDeviation(prism, outcome.mesh, Maximum::Sampled);
+  CHECK(found.toResult.maximum <= 1e-9 * found.diagonal);
+  const WantedReport wanted = wantedOf(outcome.mesh, options);
+  CHECK(wanted.maxEdge->kept == 100);
+  CHECK(wanted.minAngle->kept >= 99.9);
+  // A part of far more vertices than the limits take gets fewer.
+  const TriangleMesh fine = shapes::cube(12);
+  options.maxEdge = 6;
+  CHECK(remeshAtAngle(fine, Welding(fine), options, {}).vertices < 200);
+}
