@@ -115,8 +115,11 @@ TriangleTree::Lanes TriangleTree::inFloats(const Vec3& p) const {
   return {float(place[0]), float(place[1]), float(place[2]), 0};
 }
 
+// Finite: an infinite box would overlap missing members, and members that are not in floats no box.
 TriangleTree::Bounds TriangleTree::rounded(const Lanes& low, const Lanes& high) {
-  return {low - roundings(low), high + roundings(high)};
+  constexpr float kMost = std::numeric_limits<float>::max();
+  return {(low - roundings(low)).min(kMost).max(-kMost),
+          (high + roundings(high)).min(kMost).max(-kMost)};
 }
 
 // In floats: the vector unit compares four at a time without branches.

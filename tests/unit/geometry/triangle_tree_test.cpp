@@ -166,6 +166,22 @@ TEST_CASE("triangle_tree: every triangle whose box overlaps is visited once") {
   }
 }
 
+TEST_CASE("triangle_tree: boxes and triangles beyond all floats are found, and nothing else") {
+  constexpr double kFar = 4e38;
+  std::vector<Vec3> positions = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
+  for (Index i = 0; i < 3; ++i) positions.push_back(positions[i] + Vec3(kFar, kFar, kFar));
+  for (const std::vector<Index>& indices :
+       {std::vector<Index>{0, 1, 2}, std::vector<Index>{0, 1, 2, 3, 4, 5, 0, 1, 2}}) {
+    const TriangleTree tree(positions, indices);
+    std::vector<Index> everywhere, beyond;
+    const Vec3 aside = Vec3::Constant(2 * kFar);
+    tree.visitOverlapping({-aside, aside}, [&](Index t) { everywhere.push_back(t); });
+    CHECK(everywhere.size() == indices.size() / 3);
+    tree.visitOverlapping({positions[3], aside}, [&](Index t) { beyond.push_back(t); });
+    CHECK(beyond.size() == (indices.size() > 3 ? 1 : 0));
+  }
+}
+
 TEST_CASE("triangle_tree: each pair of triangles whose boxes overlap is visited once") {
   for (const Index count : {1, 4, 5, 16, 17, 300}) {
     const TriangleMesh mesh = soups::randomSoup(count, 0.2, 3);
