@@ -301,9 +301,12 @@ bool limitsAngle(const RemeshOptions& options) {
 
 RemeshOutcome remeshAtAngle(const TriangleMesh& input, Welding welding,
                             const RemeshOptions& options, const Progress& progress) {
-  if (!isFaceted(buildMesh(input)))
+  const RemeshOptions own = forFacets(options);
+  // Where only isotropic triangles come into question, limits of angles are kept after all else.
+  const bool isAlways = !options.edgeLength && !mayFollow(own);
+  if (isAlways || !isFaceted(buildMesh(input)))
     return remeshSurface(input, std::move(welding), options, progress);
-  RemeshOutcome unlimited = remeshSurface(input, welding, forFacets(options), progress);
+  RemeshOutcome unlimited = remeshSurface(input, welding, own, progress);
   std::optional<RemeshOutcome> limited, facets;
   double away = 0;
   const bool limitsEdges = options.edgeLength || options.maxEdge;

@@ -28,17 +28,6 @@ namespace remesher {
 
 namespace {
 
-// Whether the vertices of the original that its shape needs may be taken instead of isotropic
-// triangles: not if the caller sets sizes, bounds or edges. Of a surface that a lattice has made,
-// only on demand. No collapse there looks for crossings: after repair the caller must.
-bool mayFollow(const RemeshOptions& options) {
-  return options.prefer != Prefer::Even && options.scheme == Scheme::Best &&
-         options.density.empty() && options.featureEdges.empty() && options.bodies.empty() &&
-         !options.maxError && !wantsOfEach(options) && !options.splitObtuse &&
-         options.boundary == Boundary::Resample &&
-         (!isRemade(options.repair) || options.prefer == Prefer::Shape);
-}
-
 // The share of a run's time for the triangles of the map; each mesh of pairs takes a quarter of it.
 constexpr double kMapShare = 0.4;
 
@@ -337,6 +326,14 @@ RemeshOutcome chosenQuads(const TriangleMesh& input, const Welding& welding,
 }
 
 }  // namespace
+
+bool mayFollow(const RemeshOptions& options) {
+  return options.prefer != Prefer::Even && options.scheme == Scheme::Best &&
+         options.density.empty() && options.featureEdges.empty() && options.bodies.empty() &&
+         !options.maxError && !wantsOfEach(options) && !options.splitObtuse &&
+         options.boundary == Boundary::Resample &&
+         (!isRemade(options.repair) || options.prefer == Prefer::Shape);
+}
 
 RemeshOutcome remeshSurface(const TriangleMesh& input, Welding welding,
                             const RemeshOptions& options, const Progress& progress) {

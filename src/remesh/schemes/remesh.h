@@ -35,6 +35,11 @@ struct RemeshOutcome {
   Unmet unmet = {};  // limits of edges and triangles that are not kept
 };
 
+// Whether the vertices of the original that its shape needs may be taken instead of isotropic
+// triangles: not if the caller sets sizes, bounds or edges. Of a surface that a lattice has made,
+// only on demand. No collapse there looks for crossings: after repair the caller must.
+bool mayFollow(const RemeshOptions& options);
+
 // Throws Error as buildMesh does, and NO_TRIANGLES, INVALID_OPTION, TARGET_TOO_SMALL,
 // TARGET_BELOW_CURVES, OUT_OF_MEMORY, CANCELLED.
 RemeshOutcome remeshSurface(const TriangleMesh& input, Welding welding,

@@ -78,6 +78,16 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("angle number: no mesh without the angle where all triangles are isotropic anyway") {
+  const TriangleMesh cube = shapes::cube(4);
+  RemeshOptions options = withAngle(20);
+  options.vertices = 120;
+  const auto rule = [&] { return remeshAtAngle(cube, Welding(cube), options, {}).chosen.rule; };
+  CHECK(rule() == "unlimited-keeps");
+  options.boundary = Boundary::Keep;
+  CHECK(rule() == "vertices-placed");
+}
+
 TEST_CASE("angle number: with a number of vertices, too, the facets of a part keep its shape") {
   const TriangleMesh plate = shapes::drilledPlate(8, 0.5);
   RemeshOptions options = withAngle(20);
