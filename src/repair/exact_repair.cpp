@@ -19,6 +19,7 @@
 #include "repair/holes/turn_over.h"
 #include "repair/ladder.h"
 #include "repair/loose_pieces.h"
+#include "repair/one_sided.h"
 #include "repair/stitch.h"
 #include "repair/united.h"
 
@@ -242,6 +243,22 @@ void makeBodies(ExactRepair& repair, const BodyRule& rule) {
   if (countUnbalancedEdges(repair.mesh) > 0) stitchOpenEdges(repair.mesh);
 }
 
+// Parts with one side only become bodies before anything is cut at their seams. A scan that is torn
+// at so few of its edges is cut open and closed there, as are its holes.
+std::vector<SizedPlace> makeBodiesOfOneSided(ExactRepair& repair, const ExactRule& rule) {
+  if (!rule.bodies || rule.bodies->kind != BodyRule::Kind::Thick) return {};
+  constexpr std::size_t kTorn = 1000;  // triangles for the square of these edges
+  const OneSided found = oneSidedOf(repair.mesh);
+  if (kTorn * found.edges * found.edges < found.triangles.size() || found.edges == 0) return {};
+  const std::vector<Index> marks = markedOf(repair.mesh, found.triangles);
+  SheetBodies bodies =
+      bodiesOfOneSided(selected(repair.mesh, marks, 1).mesh, rule.bodies->thickness);
+  repair.mesh = selected(repair.mesh, marks, 0).mesh;
+  append(repair.mesh, bodies.mesh);
+  keepUsedVertices(repair.mesh);
+  return std::move(bodies.madeAt);
+}
+
 // The pieces of a surface that does not intersect itself.
 struct BodyPieces {
   explicit BodyPieces(const TriangleMesh& mesh)
@@ -312,6 +329,8 @@ std::optional<ExactRepair> exactlyRepaired(const TriangleMesh& input, const Exac
   Diagnosis diagnosis = diagnose(result.mesh);
   const std::size_t before = diagnosis.crossings.size();
   if (isSound(diagnosis)) return withoutLines(std::move(result));
+  const std::vector<SizedPlace> ofOneSided = makeBodiesOfOneSided(result, rule);
+  if (!ofOneSided.empty()) diagnosis = diagnose(result.mesh);
   // A triangle without area that closes a T-junction joins nothing once triangles are cut.
   const bool hasLines = !haveAreas(result.mesh);
   if (diagnosis.unbalanced > 0 || hasLines) {
@@ -331,6 +350,7 @@ std::optional<ExactRepair> exactlyRepaired(const TriangleMesh& input, const Exac
     if (rule.bodies) makeBodies(result, *rule.bodies);
     diagnosis = diagnose(result.mesh);
   }
+  result.madeAt.insert(result.madeAt.end(), ofOneSided.begin(), ofOneSided.end());
   if (!result.sheetsAt.empty() && openShare(diagnosis) > ladder::kMostSheets) {
     fires("exact repair: too much is open");
     if (!keepBodies(result, diagnosis)) return std::nullopt;

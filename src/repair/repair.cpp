@@ -447,8 +447,9 @@ RepairedMesh repairSurface(const TriangleMesh& input, const RemeshOptions& optio
   requireMemory(input, options);
   const TriangleMesh ordered = inCanonicalOrder(input);
   RepairedMesh result = repaired(ordered, options);
+  const bool makesThick = options.repair == Repair::Auto && options.thickness && !options.base;
   const bool isExact = options.repair == Repair::Holes || options.repair == Repair::Auto;
-  if (isExact && !makesBodies(options) && result.report.reason != "sound")
+  if (isExact && !makesThick && result.report.reason != "sound")
     result = besideOneSided(std::move(result), ordered, options);
   if (result.isRemade) {
     result.report.selfIntersections[0] = selfIntersections(input).size();

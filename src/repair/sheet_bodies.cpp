@@ -7,12 +7,14 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "arrangement/points.h"
 #include "base/disjoint_sets.h"
 #include "geometry/triangle.h"
 #include "geometry/triangle_tree.h"
+#include "mesh/edge_groups.h"
 #include "mesh/mesh_builder.h"
 #include "repair/flat_base.h"
 #include "repair/holes/plug.h"
@@ -62,10 +64,10 @@ struct Upright {
 
 class BodyMaker {
  public:
-  BodyMaker(const TriangleMesh& mesh, const BodyRule& rule)
+  BodyMaker(const TriangleMesh& mesh, BuiltMesh built, const BodyRule& rule)
       : input_(mesh),
         rule_(rule),
-        built_(buildMesh(mesh)),
+        built_(std::move(built)),
         loops_(boundaryLoops(built_)),
         components_(built_.mesh.vertexCapacity()) {
     for (Index f = 0; f < built_.mesh.faceCapacity(); ++f) {
@@ -96,7 +98,51 @@ class BodyMaker {
     return std::move(result_);
   }
 
+  // Of a double cover: it moves as a whole, and walls join the edges of a triangle's two copies.
+  SheetBodies runOnCover() {
+    std::vector<Face> faces(input_.triangleCount());
+    for (Index f = 0; f < faces.size(); ++f) faces[built_.triangles[Face(f)]] = Face(f);
+    std::map<std::pair<Index, Index>, Index> copies;  // by vertex and wedge
+    const auto copyAt = [&](Halfedge h) {
+      const Vertex v = built_.mesh.origin(h);
+      const auto [known, isNew] = copies.try_emplace({v.index, wedge(h)});
+      if (isNew)
+        known->second =
+            copyOf(wedge(h), built_.positions[v] + rule_.thickness / 2 * wayOf(built_, v));
+      return known->second;
+    };
+    std::vector<Index> back;
+    for (Index t = 0; t < faces.size(); ++t) {
+      std::array<Index, 3> corners;
+      for (int k = 0; k < 3; ++k)
+        corners[std::size_t(k)] = copyAt(HalfedgeMesh::halfedge(faces[t], k));
+      if (isBack(t)) std::swap(corners[1], corners[2]), back.push_back(t);
+      append(corners, faces[t]);
+    }
+    turnOver(result_.mesh, back);
+    for (const Loop& loop : loops_)
+      for (const Halfedge h : loop.across) {
+        const Index t = built_.triangles[HalfedgeMesh::face(h)];
+        if (isBack(t)) continue;
+        const Halfedge other =
+            HalfedgeMesh::halfedge(faces[t + faces.size() / 2], int(2 - h.index % 3));
+        addWall(h, {copyAt(h), copyAt(HalfedgeMesh::next(h)), copyAt(HalfedgeMesh::next(other)),
+                    copyAt(other)});
+      }
+    noteBodies();
+    return std::move(result_);
+  }
+
  private:
+  bool isBack(Index coverTriangle) const { return 2 * coverTriangle >= input_.triangleCount(); }
+
+  void noteBodies() {
+    std::map<Index, std::vector<Face>> bodies;
+    for (Index f = 0; f < built_.mesh.faceCapacity(); ++f)
+      bodies[components_.find(built_.mesh.vertices(Face(f))[0].index)].emplace_back(f);
+    for (const auto& [component, faces] : bodies) note(faces);
+  }
+
   // The triangles of closed components, and with a base those of all, as they are.
   void keepClosed(const std::map<Index, std::vector<const Loop*>>& sheets,
                   std::map<Index, std::vector<Face>>& faces) {
@@ -264,10 +310,46 @@ class BodyMaker {
   SheetBodies result_;
 };
 
+// Each triangle, and after all of them each once more, turned over.
+TriangleMesh onBothSides(const TriangleMesh& mesh) {
+  TriangleMesh cover = mesh;
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
+    cover.indices.insert(cover.indices.end(),
+                         {mesh.indices[i], mesh.indices[i + 2], mesh.indices[i + 1]});
+  cover.groups.insert(cover.groups.end(), mesh.groups.begin(), mesh.groups.end());
+  return cover;
+}
+
+// The double cover of a surface of one side: where two triangles of the mesh face opposite sides,
+// the front of each goes on as the back of the other. It has two sides.
+BuiltMesh doubleCover(const TriangleMesh& cover) {
+  Welding welding(cover, Twins::Unknown);
+  std::vector<Index>& twins = welding.twins;
+  const std::vector<Index>& corners = welding.corners;
+  const std::size_t half = corners.size() / 2;
+  twins.assign(corners.size(), kNone);
+  const auto back = [&](Index h) { return Index(half) + h - h % 3 + 2 - h % 3; };
+  const auto join = [&](Index h, Index g) { twins[h] = g, twins[g] = h; };
+  const EdgeGroups edges(welding.first.size(), std::span(corners).first(half));
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    if (edges[e].size() != 2) continue;
+    const Index h = edges[e][0], g = edges[e][1];
+    const bool agree = corners[h] != corners[g];
+    join(h, agree ? g : back(g));
+    join(back(h), agree ? back(g) : g);
+  }
+  return buildMesh(cover, std::move(welding));
+}
+
 }  // namespace
 
 SheetBodies bodiesOfSheets(const TriangleMesh& mesh, const BodyRule& rule) {
-  return BodyMaker(mesh, rule).run();
+  return BodyMaker(mesh, buildMesh(mesh), rule).run();
+}
+
+SheetBodies bodiesOfOneSided(const TriangleMesh& mesh, double thickness) {
+  const TriangleMesh cover = onBothSides(mesh);
+  return BodyMaker(cover, doubleCover(cover), {BodyRule::Kind::Thick, thickness}).runOnCover();
 }
 
 }  // namespace remesher

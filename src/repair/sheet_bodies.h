@@ -30,4 +30,8 @@ struct SheetBodies {
 // normals. Throws Error as buildMesh does.
 SheetBodies bodiesOfSheets(const TriangleMesh& mesh, const BodyRule& rule);
 
+// Of parts with one side only, each of whose triangles has three distinct corners: what is moved is
+// their double cover, which has two sides.
+SheetBodies bodiesOfOneSided(const TriangleMesh& mesh, double thickness);
+
 }  // namespace remesher

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "geometry/triangle.h"
 #include "measure/mesh_report.h"
 #include "measure/self_intersections.h"
 #include "repair/repair.h"
@@ -131,6 +132,32 @@ TEST_CASE("sheet bodies: a bowl becomes one, and a small hole in it is closed") 
   checkSound(result.mesh);
   CHECK(result.report.bodies == 1);
   CHECK(inspectMesh(result.mesh).eulerCharacteristic == 2);
+}
+
+TEST_CASE("sheet bodies: a Möbius strip becomes one ring, whichever triangles are turned over") {
+  TriangleMesh strip = shapes::moebiusStrip(48);
+  double area = 0;
+  for (std::size_t i = 0; i < strip.indices.size(); i += 3)
+    area += remesher::area(strip.positions[strip.indices[i]], strip.positions[strip.indices[i + 1]],
+                           strip.positions[strip.indices[i + 2]]);
+  for (const bool isMixed : {false, true}) {
+    if (isMixed) std::swap(strip.indices[31], strip.indices[32]);
+    const RepairedMesh result = madeBodies(strip, 0.02, false);
+    checkSound(result.mesh);
+    const MeshReport report = inspectMesh(result.mesh);
+    CHECK(report.eulerCharacteristic == 0);
+    CHECK(report.components == 1);
+    CHECK(result.report.bodies == 1);
+    CHECK(result.report.lost == 0);
+    CHECK(volumeOf(result.mesh) == doctest::Approx(0.02 * area).epsilon(0.01));
+    for (const PlacedWarning& said : result.warnings)
+      CHECK(said.warning.code == "SHEETS_MADE_BODIES");
+  }
+}
+
+TEST_CASE("sheet bodies: no base is put under a surface of one side") {
+  const TriangleMesh strip = shapes::moebiusStrip(24);
+  CHECK(madeBodies(strip, std::nullopt, true).mesh.indices == strip.indices);
 }
 
 TEST_CASE("sheet bodies: what is closed stays as it is") {
