@@ -136,11 +136,22 @@ class SurfaceRuns {
       const TriangleMesh& original = originals_.parts()[members[k]].mesh;
       for (const PairedPart& paired : parted[k].paired)
         run_.paired.push_back({originals_.given(members[k], paired.at), paired.quads});
+      for (Warning& warning : parted[k].warnings)
+        if (warning.at) place(warning, members[k]);
       take(run_, members[k], parted[k], roundedOutcome(original, parted[k], options_.repair));
       const bool isKnown = parted.size() == 1 && options_.repair == Repair::Off;
       run_.crossings[members[k]] = isKnown ? std::move(made.crossings)
                                            : crossingsMade(original, run_.parts[members[k]].mesh);
     }
+  }
+
+  // Says in the world of the file where the first is.
+  void place(Warning& warning, std::size_t part) const {
+    const io::Part& given = originals_.given()[part];
+    *warning.at = originals_.given(part, *warning.at);
+    if (!given.instances.empty()) *warning.at = given.instances.front() * *warning.at;
+    warning.message +=
+        " The first is near (" + placeInWords(*warning.at, originals_.given()) + ").";
   }
 
   SceneRun& run_;

@@ -197,7 +197,7 @@ BuiltMesh assemble(const TriangleMesh& input, Soup&& soup, ManifoldCut&& cut) {
 }
 
 // Removes copies of triangles and makes neighbours face the same side.
-void makeConsistent(Soup& soup, std::vector<Warning>& warnings) {
+void makeConsistent(const TriangleMesh& input, Soup& soup, std::vector<Warning>& warnings) {
   const std::size_t placeCount = soup.sources.size();
   EdgeGroups edges(placeCount, soup.corners);
   const std::size_t duplicates = removeDuplicates(soup, edges);
@@ -212,6 +212,9 @@ void makeConsistent(Soup& soup, std::vector<Warning>& warnings) {
   warn(warnings, "NON_ORIENTABLE_CUT",
        "The surface has only one side: at some edges its triangles face opposite sides.",
        orientation.conflicts);
+  if (const Index h = orientation.conflict; h != kNone)
+    warnings.back().at =
+        (input.positions[soup.wedges[h]] + input.positions[soup.wedges[nextCorner(h)]]) / 2;
   turnOver(soup, orientation.turn);
 }
 
@@ -237,7 +240,7 @@ BuiltMesh buildMesh(const TriangleMesh& input, Welding welding) {
 
   std::vector<Index> twins = twinsOf(soup, input.triangleCount(), std::move(welding.twins));
   if (twins.empty()) {
-    makeConsistent(soup, warnings);
+    makeConsistent(input, soup, warnings);
     twins = plainTwins(placeCount, soup.corners);
   }
   ManifoldCut cut = cutApart(input, soup, std::move(twins));

@@ -75,7 +75,8 @@ Orientation orient(std::span<const Index> corners, const EdgeGroups& edges) {
   for (Index h = 0; h < corners.size(); ++h) {
     if (across[h] == kNone || across[h] < h) continue;
     const bool bothOrNone = result.turn[h / 3] == result.turn[across[h] / 3];
-    result.conflicts += agree(corners, h, across[h]) != bothOrNone;
+    if (agree(corners, h, across[h]) == bothOrNone) continue;
+    if (result.conflicts++ == 0) result.conflict = h;
   }
   return result;
 }

@@ -14,6 +14,7 @@ struct Orientation {
   std::vector<char> turn;     // per triangle; empty if none has to be turned
   std::size_t turned = 0;     // triangles
   std::size_t conflicts = 0;  // edges that no choice satisfies: a Möbius strip has some
+  Index conflict = kNone;     // a halfedge of the first of them
 };
 
 Orientation orient(std::span<const Index> corners, const EdgeGroups& edges);

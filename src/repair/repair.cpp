@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <span>
 #include <utility>
 
+#include "base/disjoint_sets.h"
 #include "base/error.h"
 #include "base/fires.h"
 #include "base/place.h"
@@ -394,6 +396,49 @@ Repair repairFor(const TriangleMesh& input) {
   return exact->way == ExactRepair::Way::United ? Repair::Solid : Repair::Holes;
 }
 
+struct Opening {
+  double length = 0;
+  Vec3 at = Vec3::Zero();  // a vertex
+};
+
+// Where a surface of one side was cut its triangles still meet: such edges bound no opening, and
+// what is left of loops that run along them is joined at its ends.
+std::vector<Opening> besideSeams(const BuiltMesh& built, const std::vector<Loop>& loops) {
+  std::map<std::pair<Index, Index>, std::vector<Halfedge>> edges;  // by places
+  for (const Loop& loop : loops)
+    for (const Halfedge h : loop.across)
+      edges[std::minmax(Index(built.sources[built.mesh.origin(h)]),
+                        Index(built.sources[built.mesh.tip(h)]))]
+          .push_back(h);
+  std::erase_if(edges, [](const auto& edge) { return edge.second.size() > 1; });
+  Index count = 0;
+  for (const auto& [ends, across] : edges) count = std::max(count, ends.second + 1);
+  DisjointSets joined(count);
+  for (const auto& [ends, across] : edges) joined.unite(ends.first, ends.second);
+  std::map<Index, Opening> openings;
+  for (const auto& [ends, across] : edges) {
+    const Vec3 &a = built.positions[built.mesh.origin(across.front())],
+               &b = built.positions[built.mesh.tip(across.front())];
+    Opening& opening = openings[joined.find(ends.first)];
+    if (opening.length == 0) opening.at = a;
+    opening.length += distance(a, b);
+  }
+  std::vector<Opening> all;
+  for (const auto& [first, opening] : openings) all.push_back(opening);
+  return all;
+}
+
+std::vector<Opening> openingsOf(const BuiltMesh& built) {
+  const std::vector<Loop> loops = boundaryLoops(built);
+  if (std::any_of(built.warnings.begin(), built.warnings.end(),
+                  [](const Warning& warning) { return warning.code == "NON_ORIENTABLE_CUT"; }))
+    return besideSeams(built, loops);
+  std::vector<Opening> openings;
+  for (const Loop& loop : loops)
+    openings.push_back({loop.length, built.positions[loop.vertices.front()]});
+  return openings;
+}
+
 }  // namespace
 
 FaultReport faultsOf(const TriangleMesh& input) {
@@ -402,9 +447,9 @@ FaultReport faultsOf(const TriangleMesh& input) {
   const Diagnosis diagnosis = diagnose(input);
   FaultReport faults;
   const double diagonal = diagonalOf(input);
-  for (const Loop& loop : boundaryLoops(diagnosis.built)) {
-    faults.openLoops.push_back(100 * loop.length / diagonal);
-    faults.places.openLoops.push_back(diagnosis.built.positions[loop.vertices.front()]);
+  for (const Opening& opening : openingsOf(diagnosis.built)) {
+    faults.openLoops.push_back(100 * opening.length / diagonal);
+    faults.places.openLoops.push_back(opening.at);
   }
   faults.selfIntersections = diagnosis.crossings.size();
   faults.places.selfIntersections = centreOfFirst(input, diagnosis.crossings);

@@ -224,6 +224,10 @@ TEST_CASE("mesh_builder: a surface with one side is cut where its file turns ove
   const BuiltMesh built = buildMesh(strip);
   CHECK(warned(built, "INCONSISTENT_ORIENTATION_FIXED") == 0);
   CHECK(warned(built, "NON_ORIENTABLE_CUT") == 1);
+  // The middle of the edge from which the strip's triangles go on as they began, turned over.
+  const std::optional<Vec3> at = built.warnings.back().at;
+  REQUIRE(at);
+  CHECK(*at == (strip.positions[0] + strip.positions[40]) / 2);
 }
 
 TEST_CASE("mesh_builder: any bag of triangles becomes a manifold") {

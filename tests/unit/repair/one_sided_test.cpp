@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "mesh/joining.h"
 #include "repair/repair.h"
 #include "support/hostile_shapes.h"
 #include "support/shapes.h"
@@ -70,4 +71,15 @@ TEST_CASE("one-sided: repair leaves it as it is, says so with a place, and mends
         CHECK(said->at);
       }
     }
+}
+
+TEST_CASE("one-sided: what was cut to face one side is no opening") {
+  CHECK(faultsOf(kleinBottle(24, 13)).openLoops.empty());
+  const TriangleMesh strip = shapes::moebiusStrip(24);
+  const FaultReport faults = faultsOf(strip);
+  REQUIRE(faults.openLoops.size() == 1);
+  double around = 0;
+  for (std::size_t v = 1; v < strip.positions.size(); ++v)  // both rows, which share their ends
+    around += (strip.positions[v] - strip.positions[v - 1]).norm();
+  CHECK(faults.openLoops[0] * diagonalOf(strip) == doctest::Approx(100 * around));
 }
