@@ -161,7 +161,7 @@ struct FaultReport {
   std::vector<double> openLoops;      // lengths in percent of the diagonal, the longest first
   std::size_t selfIntersections = 0;  // triangles that meet others
   std::size_t innerShells = 0;        // closed pieces inside others, cavities not counted
-  std::size_t insideOut = 0;          // closed pieces that face inwards
+  std::size_t insideOut = 0;          // pieces that face inwards, open ones once closed
   Repair repair = Repair::Off;        // Off: nothing is broken, or only sheets are there
   RepairNeeds needs;                  // of that repair
   FaultPlaces places;

@@ -224,8 +224,8 @@ std::vector<Warning> polygonsCut(const Model& model, const WrittenFiles& written
                      canHold(written.files.front().name, kHoldsPolygons);
   if (!isCut) return {};
   return {{"POLYGONS_CUT",
-           "Faces of more than three corners were cut into triangles: only meshes that are all "
-           "quads keep theirs.",
+           "Faces of more than three corners that were cut into triangles: " +
+               std::to_string(model.polygons) + ". Only meshes that are all quads keep theirs.",
            model.polygons}};
 }
 

@@ -40,8 +40,8 @@ std::vector<Warning> inWords(std::vector<PlacedWarning> warnings,
     placed.warning.at = placed.at;
     if (placed.at)
       placed.warning.message
-          .append(placed.across > 0 ? " The widest is " + inDigits(placed.across, kWidthDigits) +
-                                          " across and lies near ("
+          .append(placed.across > 0 ? " The widest, " + inDigits(placed.across, kWidthDigits) +
+                                          " across, is near ("
                                     : " The first is near (")
           .append(placeInWords(*placed.at, parts))
           .append(").");

@@ -439,6 +439,45 @@ std::vector<Opening> openingsOf(const BuiltMesh& built) {
   return openings;
 }
 
+// A corner of each open piece, not of sheets, that encloses a negative volume once cones close its
+// loops. The cones have few triangles: their sign tells as much as that of smooth lids.
+std::vector<Vec3> facingInwards(const Diagnosis& diagnosis) {
+  const BuiltMesh& built = diagnosis.built;
+  const auto& [ofFace, pieces] = diagnosis.pieces;
+  struct Sums {
+    std::optional<Vec3> apex;
+    double volume = 0, lids = 0;
+  };
+  std::vector<Sums> sums(pieces.size());
+  const auto add = [](Sums& sum, const Vec3& a, const Vec3& b, const Vec3& c) {
+    sum.volume += (a - *sum.apex).dot((b - *sum.apex).cross(c - *sum.apex)) / 6;
+  };
+  for (Index f = 0; f < ofFace.size(); ++f) {
+    const auto [a, b, c] = built.mesh.vertices(Face(f));
+    Sums& sum = sums[ofFace[f]];
+    if (!sum.apex) sum.apex = built.positions[a];
+    add(sum, built.positions[a], built.positions[b], built.positions[c]);
+  }
+  for (const Loop& loop : boundaryLoops(built)) {
+    Sums& sum = sums[ofFace[HalfedgeMesh::face(loop.across.front()).index]];
+    Vec3 middle = Vec3::Zero();
+    for (const Vertex v : loop.vertices)
+      middle += built.positions[v] / double(loop.vertices.size());
+    for (const Halfedge h : loop.across) {
+      const Vec3 &a = built.positions[built.mesh.origin(h)],
+                 &b = built.positions[built.mesh.tip(h)];
+      add(sum, b, a, middle);
+      sum.lids += area(b, a, middle);
+    }
+  }
+  std::vector<Vec3> corners;
+  for (std::size_t p = 0; p < pieces.size(); ++p)
+    if (isSheet(pieces[p]) && sums[p].volume < 0 &&
+        sums[p].lids <= ladder::kMostDisk * pieces[p].area)
+      corners.push_back(*sums[p].apex);
+  return corners;
+}
+
 }  // namespace
 
 FaultReport faultsOf(const TriangleMesh& input) {
@@ -463,6 +502,9 @@ FaultReport faultsOf(const TriangleMesh& input) {
   faults.repair = staysOneSided(ordered) ? Repair::Off : repairFor(ordered);
   alone.repair = faults.repair;
   if (faults.repair == Repair::Off) return faults;
+  if (faults.repair != Repair::Wrap)
+    for (const Vec3& place : facingInwards(diagnosis)) faults.places.insideOut.push_back(place);
+  faults.insideOut = faults.places.insideOut.size();
   faults.needs = needsOf(input, alone);
   return faults;
 }

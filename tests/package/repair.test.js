@@ -252,6 +252,16 @@ test('what thin solids made of sheets enclose is filled', async () => {
   assert.equal((await repair(mesh, { repair: 'solid' })).report.repair.shells, 0);
 });
 
+test('the report says that bodies which touch along edges stay as they are', async () => {
+  const tetrahedra = [[0, 1, 2, 3], [0, 1, 4, 5]];
+  const mesh = { positions: new Float32Array([0, 0, 0, 0, 0, 1, 1, 0, 0, 1, 1, 0, -1, 0, 0,
+    -1, -1, 0]), indices: new Uint32Array(tetrahedra.flatMap(([a, b, c, d]) => [a, c, b, a, b, d,
+    b, c, d, a, d, c])) };
+  const words = /nothing (is|was) to be repaired: bodies that touch along 1 edge stay as they are/;
+  assert.match(reportInWords((await repair(mesh)).report), words);
+  assert.match(reportInWords(await inspect(mesh, { faults: true })), words);
+});
+
 test('the report says why a mode was chosen', async () => {
   const inwards = { ...whole, indices: whole.indices.slice().reverse() };
   for (const [mesh, options, mode, reason] of [

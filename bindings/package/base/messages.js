@@ -271,7 +271,7 @@
  *   diagonal, as `holesUpTo` takes them; the longest first.
  * @property {number} selfIntersections Triangles that meet others.
  * @property {number} innerShells Closed pieces within others that are no cavities.
- * @property {number} insideOut Closed pieces that face inwards.
+ * @property {number} insideOut Pieces that face inwards, and open ones that would, once closed.
  * @property {'off' | 'holes' | 'solid' | 'wrap'} repair The repair that `auto` would choose; `off`:
  *   nothing is broken, or there are only sheets, which it leaves as they are.
  * @property {RepairNeeds} needs The needs of that repair, before it begins. Approximate.

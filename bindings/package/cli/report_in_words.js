@@ -133,11 +133,15 @@ function dropInWords({ pieces, hidden, lost, piecesAt }) {
     + `${counted(hidden, 'hidden triangle')}; ${lost.toFixed(2)} % of the area`;
 }
 
-/** @param {import('../base/messages.js').RepairSummary} repair */
-function repairInWords(repair) {
+/** What keeps a sound surface from being a manifold. @param {number} edges */
+const touching = (edges) => (edges === 0 ? ''
+  : `: bodies that touch along ${counted(edges, 'edge')} stay as they are`);
+
+/** @param {import('../base/messages.js').RepairSummary} repair @param {number} nonManifold */
+function repairInWords(repair, nonManifold) {
   const { mode, reason, holes, rims, bodies, islands, shells, turned, selfIntersections } = repair;
   const [before, after] = selfIntersections;
-  if (reason === 'sound') return `repair: ${reasons.sound}`;
+  if (reason === 'sound') return `repair: ${reasons.sound}${touching(nonManifold)}`;
   return `repair (${mode}, ${reasons[reason]}):\n`
     + `  ${counted(holes, 'hole')} closed${widest(repair.closedAt)}, `
     + `${counted(islands, 'island')} and `
@@ -160,15 +164,16 @@ const cures = {
 const needsInWords = ({ bytes, seconds }) => `; it takes about ${Math.ceil(bytes / 1e6)} MB and `
   + `${Number(seconds.toPrecision(1))} s`;
 
-/** @param {import('../base/messages.js').FaultSummary} faults */
-function cureInWords({ repair, openLoops }) {
-  return repair === 'off' && openLoops.length > 0 ? 'nothing is to be repaired: sheets enclose '
+/** @param {import('../base/messages.js').FaultSummary} faults @param {number} nonManifold */
+function cureInWords({ repair, openLoops }, nonManifold) {
+  if (repair === 'off' && openLoops.length === 0) return `${cures.off}${touching(nonManifold)}`;
+  return repair === 'off' ? 'nothing is to be repaired: sheets enclose '
     + 'nothing; --repair wrap makes them thin solids, --thickness bodies, --base reliefs that stand'
     : cures[repair];
 }
 
-/** @param {import('../base/messages.js').FaultSummary} faults */
-function faultsInWords(faults) {
+/** @param {import('../base/messages.js').FaultSummary} faults @param {number} nonManifold */
+function faultsInWords(faults, nonManifold) {
   const { openLoops, selfIntersections, innerShells, insideOut, repair, needs, places } = faults;
   const most = 10;
   const lengths = openLoops.slice(0, most).map((length) => `${length.toPrecision(3)} %`).join(', ');
@@ -180,7 +185,7 @@ function faultsInWords(faults) {
       + firstOf(places.selfIntersections),
     `  inner shells ${innerShells}${firstOf(places.innerShells)}`,
     `  bodies inside out ${insideOut}${firstOf(places.insideOut)}`,
-    `  ${cureInWords(faults)}${repair === 'off' ? '' : needsInWords(needs)}`,
+    `  ${cureInWords(faults, nonManifold)}${repair === 'off' ? '' : needsInWords(needs)}`,
   ].join('\n');
 }
 
@@ -288,9 +293,9 @@ export function reportInWords(report) {
   const parts = [];
   if (report.preset) parts.push(presetInWords(report.preset));
   if (report.input) parts.push(meshInWords('input', report.input, report), sizeOfBox(report));
-  if (report.faults) parts.push(faultsInWords(report.faults));
+  if (report.faults) parts.push(faultsInWords(report.faults, report.input.nonManifoldEdges));
   if (report.dropped) parts.push(dropInWords(report.dropped));
-  if (report.repair) parts.push(repairInWords(report.repair));
+  if (report.repair) parts.push(repairInWords(report.repair, report.input.nonManifoldEdges));
   if (report.boolean) parts.push(booleanInWords(report.boolean));
   if (report.atlas) parts.push(atlasInWords(report.atlas));
   if (report.output) parts.push(meshInWords('output', report.output, report));

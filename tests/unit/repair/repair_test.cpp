@@ -261,6 +261,11 @@ TEST_CASE("repair: faults tell inner shells from cavities, and bodies that are i
   CHECK(faultsOf(soups::joined({ball, shell})).repair == Repair::Solid);
   CHECK(faultsOf(soups::joined({ball, shapes::turnedOver(shell)})).innerShells == 0);
   CHECK(faultsOf(shapes::turnedOver(ball)).insideOut == 1);
+  TriangleMesh open = ball;  // repair closes it, and then it has an outside
+  open.indices.resize(open.indices.size() - 9);
+  CHECK(faultsOf(open).insideOut == 0);
+  CHECK(faultsOf(shapes::turnedOver(open)).insideOut == 1);
+  CHECK(mended(shapes::turnedOver(open)).report.turned >= open.triangleCount());
   const FaultReport both = faultsOf(soups::joined({ball, soups::moved(ball, {0.7, 0.1, 0.2})}));
   CHECK(both.selfIntersections > 0);
   CHECK(both.repair == Repair::Solid);
