@@ -44,24 +44,33 @@ Index copyVertex(TriangleMesh& mesh, Index source, const Vec3& place) {
   return Index(mesh.positions.size() - 1);
 }
 
-// Per loop vertex one with the group's attributes. Where the group has none, a new vertex copies
-// the last one before it along the loop; one loop vertex at least has one, as the group is that of
-// a triangle beside the loop.
+// Per vertex of a ring one with the group's attributes. Where the group has none, a new vertex
+// copies the last one before it along the ring; a ring without any, as the inner one of a lid whose
+// walls have different materials, keeps the attributes of its own wall.
+void addRing(std::vector<Index>& result, TriangleMesh& mesh, const KeptSurface& kept,
+             const Loop& loop, std::size_t end, Index group) {
+  const std::size_t begin = result.size();
+  Index last = kNone;
+  for (std::size_t i = begin; i < end; ++i) {
+    result.push_back(wedgeOfGroup(kept, loop.vertices[i], group));
+    if (result.back() != kNone) last = result.back();
+  }
+  for (std::size_t i = begin; i < end; ++i) {
+    if (result[i] != kNone) {
+      last = result[i];
+      continue;
+    }
+    const Index own = kept.built.wedges[HalfedgeMesh::next(loop.across[i])];
+    result[i] =
+        copyVertex(mesh, last == kNone ? own : last, kept.built.positions[loop.vertices[i]]);
+  }
+}
+
 std::vector<Index> rimVertices(TriangleMesh& mesh, const KeptSurface& kept, const Loop& loop,
                                Index group) {
-  const std::size_t n = loop.vertices.size();
-  std::vector<Index> result(n, kNone);
-  Index last = kNone;
-  for (std::size_t i = 0; i < n; ++i) {
-    result[i] = wedgeOfGroup(kept, loop.vertices[i], group);
-    if (result[i] != kNone) last = result[i];
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    if (result[i] != kNone)
-      last = result[i];
-    else
-      result[i] = copyVertex(mesh, last, kept.built.positions[loop.vertices[i]]);
-  }
+  std::vector<Index> result;
+  for (const Index begin : loop.inner) addRing(result, mesh, kept, loop, begin, group);
+  addRing(result, mesh, kept, loop, loop.vertices.size(), group);
   return result;
 }
 

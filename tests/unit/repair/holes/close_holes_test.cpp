@@ -323,3 +323,28 @@ TEST_CASE("close_holes: no triangle of a plug mixes vertices of two groups") {
   for (std::size_t i = open.indices.size(); i < closed.indices.size(); ++i)
     CHECK(closed.attributes[0].values[closed.indices[i]] == closed.groups[i / 3]);
 }
+
+TEST_CASE("close_holes: the rings of a lid have the values of their walls, whatever their groups") {
+  const auto tube = [](double radius) {
+    return wall(16, 2, [=](int k, double up) {
+      return Vec3(radius * shapes::onCircle(k, 16) + Vec3(0, 0, up));
+    });
+  };
+  TriangleMesh open = soups::joined({tube(2), shapes::turnedOver(tube(1))});
+  for (std::size_t t = 0; t < open.triangleCount(); ++t)
+    open.groups.push_back(2 * t < open.triangleCount() ? 0 : 1);
+  // On both walls a value that goes around.
+  Attribute mark{"_MARK", 1, {}};
+  for (const Vec3& p : open.positions) mark.values.push_back(float(p.x() + 10 * p.y()));
+  open.attributes = {mark};
+  const ClosedHoles closed = closeHoles(open);
+  CHECK(closed.holes == 4);
+  CHECK(isClosedManifold(closed.mesh));
+  for (std::size_t i = open.indices.size(); i < closed.mesh.indices.size(); ++i) {
+    const Vec3& p = closed.mesh.positions[closed.mesh.indices[i]];
+    CHECK(closed.mesh.groups[i / 3] == 0);
+    if (std::abs(p.head<2>().norm() - 1) < 1e-9 || std::abs(p.head<2>().norm() - 2) < 1e-9)
+      CHECK(closed.mesh.attributes[0].values[closed.mesh.indices[i]] ==
+            doctest::Approx(p.x() + 10 * p.y()));
+  }
+}
