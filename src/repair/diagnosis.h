@@ -38,4 +38,16 @@ bool isCard(const SurfacePiece& piece);   // a flat sheet of several triangles
 // The triangles of the mesh in pieces with a fault, ascending.
 std::vector<Index> trianglesOf(const Diagnosis& diagnosis, bool (*hasFault)(const SurfacePiece&));
 
+struct Opening {
+  double length = 0;
+  Vec3 at = Vec3::Zero();  // a vertex
+};
+
+// The loops of the boundary.
+std::vector<Opening> openingsOf(const BuiltMesh& built);
+
+// A corner of each open piece, not of sheets, that encloses a negative volume once cones close its
+// loops. The cones have few triangles: their sign tells as much as that of smooth lids.
+std::vector<Vec3> facingInwards(const Diagnosis& diagnosis);
+
 }  // namespace remesher
