@@ -45,8 +45,8 @@ export default {
     + 'gleichmäßige Dreiecke die Form nicht sichtbar ändern.',
   'chosen.own-number': 'Keine Zahl von Punkten war gegeben, und gleichmäßige Dreiecke, die die '
     + 'Form nicht sichtbar ändern, bräuchten zu viele: Zahl und Form bleiben die des Originals.',
-  'chosen.corners-kept': 'So wenige Punkte würden das Teil sichtbar eindellen: Es sind so viele, wie '
-    + 'seine Ecken brauchen.',
+  'chosen.corners-kept': 'So wenige Punkte würden das Teil sichtbar eindellen: Es sind so viele, '
+    + 'wie seine Ecken brauchen.',
   'chosen.unlimited-keeps': 'Das Netz der ebenen Flächen hält die Grenzen schon von sich aus ein.',
   'chosen.facets-keep': 'Das Netz der ebenen Flächen hält die Grenzen ein, mit so vielen Punkten, '
     + 'wie das braucht.',
