@@ -77,7 +77,7 @@ RemeshOptions forFacets(const RemeshOptions& options) {
 // The largest distance, both ways, over one that is just not seen.
 double seenAway(const TriangleMesh& input, const RemeshOutcome& made) {
   const DeviationBothWays found = measureDeviation(input, made.mesh, Maximum::Sampled);
-  return std::max(found.toResult.maximum, found.toOriginal.maximum) / (kSeen * found.diagonal);
+  return found.maximum() / (kSeen * found.diagonal);
 }
 
 // away: as seenAway gives it.

@@ -36,7 +36,7 @@ constexpr std::size_t kMostCorners = 100;
 // The larger of the largest distances both ways, over the diagonal.
 double awayOf(const TriangleMesh& input, const RemeshOutcome& made) {
   const DeviationBothWays found = measureDeviation(input, made.mesh, Maximum::Sampled);
-  return std::max(found.toResult.maximum, found.toOriginal.maximum) / found.diagonal;
+  return found.maximum() / found.diagonal;
 }
 
 }  // namespace

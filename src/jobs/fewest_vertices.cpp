@@ -215,8 +215,7 @@ class FewestSearch {
 
   bool isWithin(const TriangleMesh& mesh, Maximum maximum) const {
     const DeviationBothWays found = measureDeviation(input_, mesh, maximum);
-    return std::max(found.toResult.maximum, found.toOriginal.maximum) <=
-           *asked_.maxError / 100 * found.diagonal;
+    return found.maximum() <= *asked_.maxError / 100 * found.diagonal;
   }
 
   const TriangleMesh& input_;

@@ -34,7 +34,7 @@ bool hasEvenAngles(const TriangleMesh& mesh) {
 bool isIsotropic(const TriangleMesh& input, const RemeshOutcome& made) {
   if (made.stopped != Stopped::Target || !hasEvenAngles(made.mesh)) return false;
   const DeviationBothWays found = measureDeviation(input, made.mesh, Maximum::Sampled);
-  return std::max(found.toResult.maximum, found.toOriginal.maximum) <= kSeen * found.diagonal;
+  return found.maximum() <= kSeen * found.diagonal;
 }
 
 Warning moreTaken(std::size_t vertices, std::size_t own) {

@@ -276,7 +276,7 @@ FidelityReport measureFidelity(const TriangleMesh& original, const TriangleMesh&
                                Maximum maximum, std::optional<ListedTree> tree) {
   const DeviationBothWays d = measureDeviation(original, result, maximum, std::move(tree));
   if (d.diagonal == 0) return {};
-  return {100 * std::max(d.toResult.maximum, d.toOriginal.maximum) / d.diagonal,
+  return {100 * d.maximum() / d.diagonal,
           100 * std::max(d.toResult.rms, d.toOriginal.rms) / d.diagonal};
 }
 

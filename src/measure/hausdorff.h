@@ -7,6 +7,7 @@
 // the points spread by area, from which the rms is computed, are measured exactly.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "base/report.h"
@@ -32,6 +33,8 @@ struct DeviationBothWays {
   Deviation toResult;    // from the original
   Deviation toOriginal;  // from the result
   double diagonal = 0;   // of the original's bounding box
+
+  double maximum() const { return std::max(toResult.maximum, toOriginal.maximum); }
 };
 
 // Both meshes need a triangle, valid indices and finite coordinates. tree: if at hand, over the

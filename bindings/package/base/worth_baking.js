@@ -10,7 +10,7 @@ const triangleList = 4;
 
 /** The share of its triangles that a model must keep to look best with its own textures: in
  * general, and where seams have at most one vertex for so many triangles of the budget. */
-const [mildly, mildlyWhole, hardlyAny] = [1 / 4, 1 / 10, 8];
+const [leastOfSeamed, leastOfWhole, trianglesPerSeam] = [1 / 4, 1 / 10, 8];
 
 /** The triangles of a file, and about how many vertices lie on seams and boundaries: a closed
  * surface without any has half as many vertices as triangles, and these make up half of each cut.
@@ -45,7 +45,7 @@ export function isWorthBaking(tree, faces) {
     if (materials.some((/** @type {any} */ { alphaMode }) => alphaMode === 'BLEND')) {
       return faces < triangles;
     }
-    const least = hardlyAny * seams <= faces ? mildlyWhole : mildly;
+    const least = trianglesPerSeam * seams <= faces ? leastOfWhole : leastOfSeamed;
     const isMild = textures.length > 0 && seams <= faces && faces >= least * triangles;
     return !isMild && faces < triangles;
   } catch {

@@ -16,7 +16,7 @@ constexpr int kPlainRounds = 10, kRounds = 5, kMostRounds = 65;
 // The share of an error that a round which is not accelerated leaves at most, about.
 constexpr double kLeft = 0.95;
 // How much more a triangle counts after each look that finds it untrue: few have the rest follow.
-constexpr double kHeeded = 2;
+constexpr double kHeavier = 2;
 // Bounds on an area's ratio to its true size: areas are even to within 1 / cos(kMostTilt).
 const double kMostArea = 1 / std::sqrt(std::cos(kMostTilt)), kLeastArea = 1 / kMostArea;
 // Largest ratio of the longest to the shortest axis of a circle drawn on the surface: that of a
@@ -66,13 +66,13 @@ class Rounds {
       PlaneTriangle& wanted = mesh.wanted[t];
       const Vec2 middle = (wanted[0] + wanted[1] + wanted[2]) / 3;
       for (Vec2& p : wanted) p -= middle;
-      heed(t, twiceArea(wanted));
+      addWeight(t, twiceArea(wanted));
     }
   }
 
   // Lets a triangle weigh `factor` times as much; what the rounds before aimed at is past.
-  void heedMore(std::size_t t, double factor) {
-    heed(t, (factor - 1) * weights_[t]);
+  void multiplyWeight(std::size_t t, double factor) {
+    addWeight(t, (factor - 1) * weights_[t]);
     round_ = 0;
   }
 
@@ -93,7 +93,7 @@ class Rounds {
   }
 
  private:
-  void heed(std::size_t t, double more) {
+  void addWeight(std::size_t t, double more) {
     weights_[t] += more;
     for (const Index v : mesh_.triangles[t]) totals_[v] += more;
   }
@@ -159,7 +159,7 @@ bool relax(PlaneMesh& mesh) {
     bool areTrue = true;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
       if (isTrue(mesh.wanted[t], placed(mesh, t), enlarged)) continue;
-      rounds.heedMore(t, kHeeded);
+      rounds.multiplyWeight(t, kHeavier);
       areTrue = false;
     }
     if (!areTrue) continue;
