@@ -247,5 +247,6 @@ test('a file that cannot be read is refused with its name', async () => {
   await rejectsWith(remeshFile(bytes('x'), { name: 'a.doc' }), 'UNKNOWN_FORMAT', /a\.doc/);
   await rejectsWith(remeshFile(bytes('OFF\n3 1 0\n'), { name: 'a.off' }), 'PARSE_ERROR', /a\.off/);
   await rejectsWith(remeshFile('a.off', { name: 'a.off' }), 'PARSE_ERROR', /Uint8Array/);
+  await assert.rejects(remeshFile('a.off'), ({ hint }) => /readFile\(path\)/.test(hint));
   await rejectsWith(inspect(bytes('OFF'), { name: 'a.off', vertices: 3 }), 'UNKNOWN_OPTION');
 });

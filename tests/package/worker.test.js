@@ -93,6 +93,7 @@ for (const worker of [true, false]) {
       assert.equal(typeof phase, 'string');
       assert.ok(fraction >= (events[i - 1]?.fraction ?? 0) && fraction <= 1, `${fraction}`);
     }
+    assert.equal(events.at(-1).fraction, 1);
   });
 
   test(`a listener that throws ends its run with what it threw (worker: ${worker})`, async () => {

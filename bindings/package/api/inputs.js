@@ -263,7 +263,10 @@ async function beginOf(source, signal) {
 async function openBytes(value, label, open) {
   if (!isBytes(value)) {
     throw new RemeshError('PARSE_ERROR',
-      `${label} must be a Uint8Array, an ArrayBuffer, a Blob or a stream of bytes.`);
+      `${label} must be a Uint8Array, an ArrayBuffer, a Blob or a stream of bytes.`,
+      typeof value === 'string'
+        ? 'Give its content: await readFile(path) in Node, (await fetch(url)).body in a browser.'
+        : undefined);
   }
   try {
     if (value instanceof OpenFile) return value;

@@ -114,6 +114,25 @@ async function allOf(name, blob) {
   }
 }
 
+/**
+ * A listener to the progress of a run, which tells at the end that all is done.
+ * @param {((event: ProgressEvent) => boolean | void) | undefined} onProgress
+ */
+function toTheEnd(onProgress) {
+  /** @type {ProgressEvent | undefined} */
+  let last;
+  /** @param {ProgressEvent} event */
+  const listen = (event) => {
+    last = event;
+    return onProgress?.(event);
+  };
+  const end = () => {
+    if (!last || last.fraction >= 1 || listen({ ...last, fraction: 1 }) !== false) return;
+    throw new RemeshError('CANCELLED', 'The run was cancelled.');
+  };
+  return { listen: onProgress && listen, end };
+}
+
 /** Called with the progress of a run; returns false to cancel it.
  * @typedef {((phase: string, fraction: number) => boolean) | undefined} Ask */
 
@@ -386,6 +405,18 @@ export class Engine {
    * @returns {Promise<any>}
    */
   async run(job, onProgress) {
+    const { listen, end } = toTheEnd(onProgress);
+    const result = await this.#result(job, listen);
+    end();
+    return result;
+  }
+
+  /**
+   * @param {Job} job
+   * @param {((event: ProgressEvent) => boolean | void) | undefined} onProgress
+   * @returns {Promise<any>}
+   */
+  async #result(job, onProgress) {
     const compress = await compressionOf(job);
     if (compress) await requireFile(job);
     requireFileForSlabs(job);

@@ -172,7 +172,7 @@ void checkWanted(const RemeshOptions& options) {
     throw Error(ErrorCode::InvalidOption,
                 "minEdge is " + shown(*options.minEdge) + ", longer than maxEdge, " +
                     shown(*options.maxEdge) + ".",
-                "Leave room between them: maxEdge at least twice minEdge.");
+                "Leave room between them: maxEdge at least 2.5 times minEdge.");
 }
 
 WantedReport wantedOf(const TriangleMesh& mesh, const RemeshOptions& options) {
