@@ -128,7 +128,7 @@ RepairedMesh asRepaired(ExactRepair exact, const char* mode) {
   addWarning(result,
              {"SHEETS_LEFT",
               "Sheets such as cards, cloth or terrain enclose nothing and were left as they are; "
-              "wrapping makes them thin solids, --base gives a relief walls and a flat base.",
+              "--thickness makes them bodies, --base gives a relief walls and a flat base.",
               exact.sheetsAt.size()},
              exact.sheetsAt);
   warnOfWidest(result, {"SHEETS_MADE_BODIES", "Sheets became closed bodies."}, exact.madeAt);
