@@ -24,9 +24,9 @@ OneSided oneSidedOf(const TriangleMesh& mesh) {
   DisjointSets parts(triangles.size());
   std::vector<Index> seams;  // a triangle at each
   for (std::size_t e = 0; e < edges.size(); ++e) {
+    const Index h = edges[e][0], g = edges[e].back();
+    for (const Index other : edges[e]) parts.unite(h / 3, other / 3);
     if (edges[e].size() != 2) continue;
-    const Index h = edges[e][0], g = edges[e][1];
-    parts.unite(h / 3, g / 3);
     const bool agree = corners[h] != corners[g];
     if (agree == (orientation.turn[h / 3] == orientation.turn[g / 3])) continue;
     const Vec3 &a = mesh.positions[corners[h]], &b = mesh.positions[corners[nextCorner(h)]];

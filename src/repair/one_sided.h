@@ -13,7 +13,7 @@ namespace remesher {
 struct OneSided {
   std::size_t edges = 0;         // at which triangles face opposite sides whatever is turned over
   Vec3 at = Vec3::Zero();        // the middle of the first of them
-  std::vector<Index> triangles;  // of these parts, ascending
+  std::vector<Index> triangles;  // of these parts, ascending; parts share no edge
 };
 
 OneSided oneSidedOf(const TriangleMesh& mesh);

@@ -194,10 +194,14 @@ void addReport(RepairedMesh& result, const RepairedMesh& rest, double restShare)
     sum.mode = rest.report.mode;
     sum.reason = "partly";
   }
+  result.warnings.insert(result.warnings.end(), rest.warnings.begin(), rest.warnings.end());
+}
+
+// Says of a mesh made of two what intersects, also one the other.
+void warnOfAllCrossings(RepairedMesh& result, const std::vector<Index>& crossings) {
   std::erase_if(result.warnings,
                 [](const PlacedWarning& own) { return own.warning.code == "CROSSINGS_LEFT"; });
-  for (const PlacedWarning& more : rest.warnings)
-    if (more.warning.code != "CROSSINGS_LEFT") result.warnings.push_back(more);
+  warnOfCrossings(result, crossings);
 }
 
 // Per triangle its positions by number, the first of them first; sorted.
@@ -240,7 +244,7 @@ std::optional<RepairedMesh> withRest(RepairedMesh result, const TriangleMesh& re
       result.mesh = input;
       result.report.reason = made.report.reason;
     }
-    warnOfCrossings(result, selfIntersections(result.mesh));
+    warnOfAllCrossings(result, selfIntersections(result.mesh));
     return result;
   }
   std::optional<ExactRepair> joined = exactlyRepaired(result.mesh);
@@ -259,7 +263,7 @@ std::optional<RepairedMesh> withRest(RepairedMesh result, const TriangleMesh& re
        "others are as they were, or mended exactly.",
        rest.triangleCount()},
       centreOfFirst(rest, {0}));
-  warnOfCrossings(result, joined->crossings);
+  warnOfAllCrossings(result, joined->crossings);
   return result;
 }
 
@@ -339,12 +343,11 @@ RepairedMesh besideOneSided(RepairedMesh whole, const TriangleMesh& input,
   kept.sheetsAt.clear();
   RepairedMesh result = because("sheets", asRepaired(std::move(kept), "holes"));
   if (found.triangles.size() < input.triangleCount()) {
-    const RepairReport own = result.report;
-    TriangleMesh oneSided = std::move(result.mesh);
+    const TriangleMesh oneSided = std::move(result.mesh);
     result = repaired(selected(input, marks, 0).mesh, options);
-    for (std::size_t i = 0; i < 2; ++i)
-      result.report.selfIntersections[i] += own.selfIntersections[i];
     append(result.mesh, oneSided);
+    warnOfAllCrossings(result, selfIntersections(result.mesh));
+    result.report.selfIntersections[0] = selfIntersections(input).size();
   }
   warnOfOneSided(result, found);
   return result;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "measure/self_intersections.h"
 #include "mesh/joining.h"
 #include "repair/repair.h"
 #include "support/hostile_shapes.h"
@@ -71,6 +72,20 @@ TEST_CASE("one-sided: repair leaves it as it is, says so with a place, and mends
         CHECK(said->at);
       }
     }
+}
+
+TEST_CASE("one-sided: triangles at its edges stay with it, and what it then intersects is said") {
+  TriangleMesh mesh = shapes::moebiusStrip(24);
+  for (std::size_t k = 0; k < 3; ++k) mesh.indices.push_back(mesh.indices[k]);
+  const RepairedMesh twice = repairedBy(Repair::Auto, mesh);
+  CHECK(twice.mesh.indices == mesh.indices);
+  CHECK(twice.report.selfIntersections[1] == selfIntersections(mesh).size());
+  TriangleMesh ball = shapes::icosphere(2);
+  for (Vec3& p : ball.positions) p += mesh.positions[0];
+  const RepairedMesh through =
+      repairedBy(Repair::Auto, soups::joined({ball, shapes::moebiusStrip(24)}));
+  CHECK(through.report.selfIntersections[1] == selfIntersections(through.mesh).size());
+  CHECK(through.report.selfIntersections[1] > 0);
 }
 
 TEST_CASE("one-sided: what was cut to face one side is no opening") {
