@@ -86,16 +86,20 @@ void swapHalves(TriangleMesh& mesh, const std::vector<Index>& triangles) {
                      mesh.indices.begin() + std::ptrdiff_t(3 * triangles[i + 1]));
 }
 
-// Turns the pieces that are inside out. Returns the number of their triangles.
-std::size_t turnPieces(TriangleMesh& mesh, const Diagnosis& diagnosis) {
-  const std::vector<Index> triangles = trianglesOf(diagnosis, isInsideOut);
+// Turns the pieces that are inside out. Returns their triangles, ascending.
+std::vector<Index> turnPieces(TriangleMesh& mesh, const Diagnosis& diagnosis) {
+  std::vector<Index> triangles = trianglesOf(diagnosis, isInsideOut);
   turnOver(mesh, triangles);
   if (mesh.isQuads) swapHalves(mesh, triangles);
-  return triangles.size();
+  return triangles;
 }
 
+// Lids were not given, so that none of them counts as turned.
 void faceOutwards(ExactRepair& repair, const Diagnosis& diagnosis) {
-  repair.turned += turnPieces(repair.mesh, diagnosis);
+  const std::vector<Index> turned = turnPieces(repair.mesh, diagnosis);
+  const Index firstLid = Index(repair.mesh.triangleCount() - repair.lids);
+  repair.turned +=
+      std::size_t(std::lower_bound(turned.begin(), turned.end(), firstLid) - turned.begin());
   repair.way = ExactRepair::Way::Closed;
 }
 
@@ -375,7 +379,7 @@ bool faceOutwards(TriangleMesh& mesh) {
   const std::vector<char> isCrossed(mesh.triangleCount(), 0);
   const std::vector<SurfacePiece> pieces = piecesOf(built, isCrossed).pieces;
   if (std::none_of(pieces.begin(), pieces.end(), isInsideOut)) return false;
-  return turnPieces(mesh, diagnose(mesh)) > 0;
+  return !turnPieces(mesh, diagnose(mesh)).empty();
 }
 
 ExactRepair leftAlone(const TriangleMesh& input) {

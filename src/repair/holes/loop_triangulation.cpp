@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kMostByTables = 128;
 
 // The cost of a triangulation: its sharpest fold (1 - cosine between neighbours' normals), then its
-// area.
+// area. In a plane all areas are the same but for rounding: then the edges are short.
 struct Cost {
   double fold = 0, area = 0;
   bool operator<(const Cost& other) const {
@@ -38,7 +38,16 @@ struct Polygon {
 // then the least area decides.
 constexpr double kNoFold = 0.06;
 
+// So little of the squared edges counts beside the areas.
+constexpr double kShortness = 1e-6;
+
+double costlyArea(const Vec3& a, const Vec3& b, const Vec3& c) {
+  return area(a, b, c) +
+         kShortness * ((b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm());
+}
+
 double foldBetween(const Triangle& t, const Vec3& beyond) {
+  if (flatness(t[0], t[1], t[2]) <= kFlattest) return 2;  // a line is as bad as a sharpest fold
   // The edge t[0] → t[1]; the triangle across has it the other way round.
   const Vec3 own = unitNormal(t[0], t[1], t[2]), other = unitNormal(t[1], t[0], beyond);
   return std::max(0.0, 1 - own.dot(other) - kNoFold);
@@ -94,7 +103,7 @@ class Tables {
         continue;
       Cost cost{std::max({left.fold, right.fold, foldBetween({at(i), at(m), at(k)}, beyond(i, m)),
                           foldBetween({at(m), at(k), at(i)}, beyond(m, k))}),
-                left.area + right.area + area(at(i), at(m), at(k))};
+                left.area + right.area + costlyArea(at(i), at(m), at(k))};
       if (i == 0 && k == n_ - 1)
         cost.fold = std::max(cost.fold, foldBetween({at(k), at(i), at(m)}, polygon_.beyond[k]));
       if (cost < best) best = cost, middles_[i * n_ + k] = Index(m);

@@ -61,6 +61,15 @@ TEST_CASE("repair: auto unites bodies, and turns those that are inside out") {
   }
 }
 
+TEST_CASE(
+    "repair: an open body that is inside out counts what was given, not its lids, as turned") {
+  TriangleMesh open = shapes::turnedOver(shapes::icosphere(4));
+  open.indices.resize(open.indices.size() - 12);
+  const RepairedMesh result = mended(open);
+  CHECK(result.mesh.triangleCount() > open.triangleCount());
+  CHECK(result.report.turned == open.triangleCount());
+}
+
 TEST_CASE("repair: what is only inside out is turned over, and nothing else") {
   const TriangleMesh ball = shapes::icosphere(4);
   const TriangleMesh wrong = shapes::turnedOver(soups::moved(ball, {3, 0, 0}));

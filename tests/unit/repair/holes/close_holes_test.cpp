@@ -287,6 +287,14 @@ TEST_CASE("close_holes: a single triangle becomes a thin solid, whose edges are 
   CHECK(inspectMesh(closed.mesh).eulerCharacteristic == 2);
 }
 
+TEST_CASE("close_holes: a lid along straight edges has no triangle without area") {
+  for (const TriangleMesh& strip : {shapes::grid(1, 6), shapes::grid(5, 2)}) {
+    const ClosedHoles closed = closeHoles(strip, {});
+    CHECK(isClosed(closed.mesh));
+    CHECK(haveAreas(closed.mesh));
+  }
+}
+
 TEST_CASE("close_holes: a plug has the group and the values of most of its loop") {
   TriangleMesh open = capless(8, 0.5);
   open.groups.assign(open.triangleCount(), 3);
