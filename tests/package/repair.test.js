@@ -262,6 +262,11 @@ test('the report says that bodies which touch along edges stay as they are', asy
   assert.match(reportInWords(await inspect(mesh, { faults: true })), words);
 });
 
+test('an inspection says that a surface of one side stays as it is', async () => {
+  const report = await inspect(broken.moebiusStrip(), { faults: true });
+  assert.match(reportInWords(report), /repair leaves it as it is: a surface of one side/);
+});
+
 test('the report says why a mode was chosen', async () => {
   const inwards = { ...whole, indices: whole.indices.slice().reverse() };
   for (const [mesh, options, mode, reason] of [

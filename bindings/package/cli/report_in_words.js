@@ -164,17 +164,24 @@ const cures = {
 const needsInWords = ({ bytes, seconds }) => `; it takes about ${Math.ceil(bytes / 1e6)} MB and `
   + `${Number(seconds.toPrecision(1))} s`;
 
-/** @param {import('../base/messages.js').FaultSummary} faults @param {number} nonManifold */
-function cureInWords({ repair, openLoops }, nonManifold) {
-  if (repair === 'off' && openLoops.length === 0) return `${cures.off}${touching(nonManifold)}`;
+/** @param {any} report */
+function cureInWords({ faults: { repair, openLoops }, input: { nonManifoldEdges }, warnings }) {
+  if (repair === 'off' && warnings.some(({ code }) => code === 'ONE_SIDED')) {
+    return 'repair leaves it as it is: a surface of one side has no outside; --thickness makes a '
+      + 'body of it';
+  }
+  if (repair === 'off' && openLoops.length === 0) {
+    return `${cures.off}${touching(nonManifoldEdges)}`;
+  }
   return repair === 'off' ? 'nothing is to be repaired: sheets enclose '
     + 'nothing; --repair wrap makes them thin solids, --thickness bodies, --base reliefs that stand'
     : cures[repair];
 }
 
-/** @param {import('../base/messages.js').FaultSummary} faults @param {number} nonManifold */
-function faultsInWords(faults, nonManifold) {
-  const { openLoops, selfIntersections, innerShells, insideOut, repair, needs, places } = faults;
+/** @param {any} report */
+function faultsInWords(report) {
+  const { openLoops, selfIntersections, innerShells, insideOut, repair, needs, places }
+    = report.faults;
   const most = 10;
   const lengths = openLoops.slice(0, most).map((length) => `${length.toPrecision(3)} %`).join(', ');
   const loops = openLoops.length === 0 ? '' : `, in length ${lengths}`
@@ -185,7 +192,7 @@ function faultsInWords(faults, nonManifold) {
       + firstOf(places.selfIntersections),
     `  inner shells ${innerShells}${firstOf(places.innerShells)}`,
     `  bodies inside out ${insideOut}${firstOf(places.insideOut)}`,
-    `  ${cureInWords(faults, nonManifold)}${repair === 'off' ? '' : needsInWords(needs)}`,
+    `  ${cureInWords(report)}${repair === 'off' ? '' : needsInWords(needs)}`,
   ].join('\n');
 }
 
@@ -293,7 +300,7 @@ export function reportInWords(report) {
   const parts = [];
   if (report.preset) parts.push(presetInWords(report.preset));
   if (report.input) parts.push(meshInWords('input', report.input, report), sizeOfBox(report));
-  if (report.faults) parts.push(faultsInWords(report.faults, report.input.nonManifoldEdges));
+  if (report.faults) parts.push(faultsInWords(report));
   if (report.dropped) parts.push(dropInWords(report.dropped));
   if (report.repair) parts.push(repairInWords(report.repair, report.input.nonManifoldEdges));
   if (report.boolean) parts.push(booleanInWords(report.boolean));
