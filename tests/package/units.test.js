@@ -88,6 +88,26 @@ test('a 3MF states the unit that was said', async () => {
   }
 });
 
+test('a glTF is in metres, by one node', async () => {
+  const threemf = await convertFile(off, { name: 'a.off', output: '3mf', units: 'in' });
+  const diagonalOf = async (/** @type {any} */ { bytes, name }) =>
+    (await inspect(bytes, { name })).diagonal;
+  const numbers = await diagonalOf({ bytes: threemf.bytes, name: 'a.3mf' });
+  for (const output of ['glb', 'gltf']) {
+    const metres = await convertFile(threemf.bytes, { name: 'a.3mf', output });
+    const about = { name: metres.name,
+      resources: Object.fromEntries(metres.files.map(({ name, bytes }) => [name, bytes])) };
+    const { diagonal: length } = await inspect(metres.bytes, about);
+    assert.ok(Math.abs(length / numbers - 0.0254) < 1e-6, `${length} of ${numbers}`);
+    const again = await convertFile(metres.bytes, { ...about, output: '3mf' });
+    assert.equal((await inspect(again.bytes, { name: 'a.3mf' })).unit, 'm');
+  }
+  const said = await repairFile(off, { name: 'a.off', output: 'glb', units: 'mm', worker: false });
+  assert.ok(Math.abs(await diagonalOf(said) / numbers - 0.001) < 1e-6);
+  const kept = await convertFile(threemf.bytes, { name: 'a.3mf', output: 'glb', metres: false });
+  assert.ok(Math.abs(await diagonalOf(kept) / numbers - 1) < 1e-6);
+});
+
 test('repair takes lengths, too', async () => {
   const open = { ...ring, indices: ring.indices.slice(3 * 40) };
   const file = new TextEncoder().encode(offText(open));

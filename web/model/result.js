@@ -148,7 +148,8 @@ export class Result {
  * @param {ConvertOptions & { output: string, signal: AbortSignal }} how output: a name or a
  *   format */
 function convertWritten([first, ...resources], how) {
-  return convertFile(first.bytes, { ...describe({ ...first, resources }), ...how });
+  return convertFile(first.bytes,
+    { ...describe({ ...first, resources }), metres: false, ...how });
 }
 
 /** Those of some options that repair has. @param {RemeshOptions} options */
@@ -160,7 +161,7 @@ const ofRepair = (options) => Object.fromEntries(Object.entries(options).filter(
  * @param {RemeshOptions & import('remesher').OutputOptions & Partial<Watch>} options */
 export function worked(model, values, options) {
   const { output, signal, onProgress } = options;
-  const about = { ...describe(model), output, signal, onProgress };
+  const about = { ...describe(model), output, metres: false, signal, onProgress };
   return isRepairOnly(values)
     ? repairFile(model.content, { ...ofRepair(options), ...about })
     : remeshFile(model.content, { ...options, ...about });

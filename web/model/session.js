@@ -119,7 +119,7 @@ export class Session {
   converted(output, onProgress) {
     const model = this.#opened();
     return convertFile(model.content,
-      { ...describe(model), output, onProgress, signal: this.#stay.signal });
+      { ...describe(model), output, metres: false, onProgress, signal: this.#stay.signal });
   }
 
   #opened() {

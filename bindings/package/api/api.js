@@ -140,6 +140,7 @@ import {
 /** @typedef {Platform & { compileWhole: Compile }} WholePlatform */
 
 const fileNames = /** @type {const} */ (['name', 'resources']);
+const outputNames = /** @type {const} */ (['output', 'metres']);
 
 /** Each function is documented where it is exported, in index.js. */
 export class Api extends ArraysApi {
@@ -179,7 +180,7 @@ export class Api extends ArraysApi {
    * @returns {Promise<RemeshFileResult>}
    */
   async remeshFile(bytes, options = {}) {
-    const checked = checkOptions(options, { others: [...runNames, ...fileNames, 'output'] });
+    const checked = checkOptions(options, { others: [...runNames, ...fileNames, ...outputNames] });
     const file = await fileRequest(bytes, options);
     const { files, report } = await this.#client.run(
       { kind: 'remeshFile', file, options: checked }, fileBuffers(file), options);
@@ -205,7 +206,7 @@ export class Api extends ArraysApi {
    * @returns {Promise<RepairFileResult>}
    */
   async repairFile(bytes, options = {}) {
-    const checked = checkRepair(options, [...runNames, ...fileNames, 'output']);
+    const checked = checkRepair(options, [...runNames, ...fileNames, ...outputNames]);
     const file = await fileRequest(bytes, options);
     const { files, report } = await this.#client.run(
       { kind: 'repairFile', file, options: checked }, fileBuffers(file), options);
@@ -304,7 +305,8 @@ export class Api extends ArraysApi {
    */
   async unwrapFile(bytes, options = {}) {
     const checked = checkOwn(options,
-      { names: unwrapNames, others: [...runNames, ...fileNames, 'output'], what: 'Unwrapping' });
+      { names: unwrapNames, others: [...runNames, ...fileNames, ...outputNames],
+        what: 'Unwrapping' });
     const file = await fileRequest(bytes, options);
     const { files, report } = await this.#client.run(
       { kind: 'unwrapFile', file, options: checked }, fileBuffers(file), options);
@@ -317,7 +319,7 @@ export class Api extends ArraysApi {
    * @returns {Promise<ConvertFileResult>}
    */
   async convertFile(bytes, options = {}) {
-    refuseOthers(options, [...runNames, ...fileNames, 'output', ...convertNames]);
+    refuseOthers(options, [...runNames, ...fileNames, ...outputNames, ...convertNames]);
     const checked = checkOptions(Object.fromEntries(convertNames.map((name) =>
       [name, options[name]])));
     const file = await fileRequest(bytes, options);

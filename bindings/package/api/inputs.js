@@ -29,6 +29,8 @@ import { Pieces } from '../base/pieces.js';
 /**
  * @typedef {object} OutputOptions
  * @property {string} [output] A name, or a bare format like `glb`; the input's if not given.
+ * @property {boolean} [metres] `false`: a glTF keeps the numbers of a model in another unit,
+ *   without the scale that makes metres of them.
  */
 
 /** @param {string} message @param {string} [hint] @returns {never} */
@@ -285,7 +287,7 @@ async function openBytes(value, label, open) {
  * @param {FileOptions & OutputOptions & { signal?: AbortSignal }} options
  * @returns {Promise<FileRequest>}
  */
-export async function fileRequest(bytes, { name, output, resources = {}, signal }) {
+export async function fileRequest(bytes, { name, output, metres, resources = {}, signal }) {
   const givenName = name ?? /** @type {any} */ (bytes)?.name ?? '';
   if (typeof givenName !== 'string' || !(output === undefined || typeof output === 'string')) {
     throw new RemeshError('INVALID_OPTION', 'name and output must be strings.');
@@ -305,6 +307,7 @@ export async function fileRequest(bytes, { name, output, resources = {}, signal 
     bytes: begin,
     resources: files,
     output: outputName(givenName, output),
+    isInMetres: metres ?? true,
     ...(handle ? { handle } : {}),
   };
 }

@@ -28,8 +28,8 @@ export function threemfNameOf(unit) {
   return Object.keys(threemfUnits).find((name) => threemfUnits[name].symbol === unit);
 }
 
-/** @param {string} unit */
-const metresIn = (unit) => threemfUnits[String(threemfNameOf(unit))].metres;
+/** How long a unit is. @param {string} unit its symbol */
+export const metresIn = (unit) => threemfUnits[String(threemfNameOf(unit))].metres;
 
 const written = /^((?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)\s*(mm|cm|m|in)$/i;
 

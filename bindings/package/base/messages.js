@@ -89,8 +89,9 @@
 
 /**
  * A file; `bytes` are the first ones if it is read in blocks: by its handle, in the worker by
- * `blocks`.
- * @typedef {NamedBytes & { resources: NamedBytes[], output: string, pictures?: Picture[],
+ * `blocks`. A glTF made of it is not to be scaled to metres where `isInMetres` is false.
+ * @typedef {NamedBytes & { resources: NamedBytes[], output: string, isInMetres?: boolean,
+ *   pictures?: Picture[],
  *   handle?: import('./open_file.js').FileHandle,
  *   blocks?: { size: number, read: import('./open_file.js').ReadBlock } }} FileRequest
  */

@@ -318,6 +318,10 @@ async function requireFile(job) {
     'Give the file to remeshFile or repairFile.');
 }
 
+/** The file whose lengths the result has. @param {any} job its files neither packed nor
+ * compressed */
+const sourceOf = ({ kind, file, files }) => file ?? files?.[kind === 'bakeFile' ? 1 : 0];
+
 /** @param {Job} job its files neither packed nor compressed */
 const unitOfJob = (job) => unitOf('options' in job ? job.options : {},
   'file' in job ? job.file : undefined);
@@ -427,7 +431,7 @@ export class Engine {
     const fileOf = (/** @type {Job} */ one) => ('file' in one ? one.file : undefined);
     return (await scripts.whole()).closed(await withTexturesListed(outcome, settled),
       { isCarded: job.kind === 'remeshFile' || job.kind === 'repairFile',
-        packed: fileOf(job), opened: fileOf(settled), compress,
+        packed: fileOf(job), opened: fileOf(settled), source: sourceOf(settled), compress,
         units: 'options' in job ? job.options.units : undefined });
   }
 

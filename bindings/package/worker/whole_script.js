@@ -3,6 +3,7 @@
 
 import { cardOf } from '../base/card.js';
 import { decompress } from '../codecs/decompress.js';
+import { inMetres } from '../codecs/gltf_metres.js';
 import { gunzipAll } from '../codecs/gunzip.js';
 import { packThreemf, unpackThreemf } from '../codecs/threemf.js';
 import { coverageOf } from '../textures/coverage.js';
@@ -24,16 +25,17 @@ export async function opened(job) {
 
 /**
  * The facts about the files when they are written: the file that was given, the same neither
- * packed nor compressed, and what was asked of the one that is written.
- * @typedef {{ isCarded: boolean, packed?: FileRequest, opened?: FileRequest,
+ * packed nor compressed, the one of them whose lengths the result has, and what was asked of the
+ * one that is written.
+ * @typedef {{ isCarded: boolean, packed?: FileRequest, opened?: FileRequest, source?: FileRequest,
  *   compress?: 'meshopt' | 'draco', units?: unknown }} Closing
  */
 
 /** Files packed as their formats are, and compressed if that was asked for.
  * @param {any} result @param {Closing} closing */
 async function packedBy(result, closing) {
-  const files = await Promise.all(
-    result.files.map((/** @type {NamedBytes} */ file) => packThreemf(file, closing)));
+  const files = await Promise.all(inMetres(result.files, closing.source, closing.units)
+    .map((file) => packThreemf(file, closing)));
   if (!closing.compress) return { ...result, files };
   const { compressed } = await import('../codecs/compress.js');
   const { files: smaller, compression } = await compressed(files, closing.compress);
