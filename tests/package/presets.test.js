@@ -11,7 +11,7 @@ import { reportInWords } from '../../dist/cli/report_in_words.js';
 import { rejectsWith } from '../support/errors.js';
 import { GltfMaker } from '../support/gltf.js';
 import { png } from '../support/png.js';
-import { offText, sheet, torus } from '../support/shapes.js';
+import { offText, sheet, sheetOf, torus } from '../support/shapes.js';
 
 const names = optionTable.map(({ name }) => name);
 /** What the preset `asset` mends. */
@@ -135,6 +135,18 @@ test('a surface of few seams keeps its textures unless it is reduced much', () =
   assert.ok(!isWorthBaking(blended, 5000));
   assert.ok(isWorthBaking(tree(many, [{}]), 3000), 'seams would take most vertices');
   assert.ok(isWorthBaking(tree(few, []), 1500), 'there are no texels to keep');
+  assert.ok(!isWorthBaking(tree(few, []), 3000), 'the shape is hardly reduced');
+});
+
+test('a result that shows the shape itself gets no map of normals', async () => {
+  const made = new GltfMaker();
+  const { positions, indices } = sheetOf(20, (i, j) => [i, Math.abs(i - 10), j]);
+  const bytes = made.show([{ attributes: { POSITION: made.add(positions, 'VEC3') },
+    indices: made.addIndices(indices) }]).glb().bytes;
+  const { report } = await remeshFile(bytes,
+    { name: 'roof.glb', preset: 'asset', faces: 200, textureSize: 64 });
+  assert.equal(report.preset.textures, undefined);
+  assert.deepEqual(report.textures, []);
 });
 
 test('an unknown preset is refused, and the command line takes one', async () => {

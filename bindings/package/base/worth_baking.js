@@ -8,9 +8,13 @@ const kindOf = ({ alphaMode = 'OPAQUE', doubleSided = false, extensions = {} }) 
 
 const triangleList = 4;
 
-/** The share of its triangles that a model must keep to look best with its own textures: in
- * general, and where seams have at most one vertex for so many triangles of the budget. */
-const [leastOfSeamed, leastOfWhole, trianglesPerSeam] = [1 / 4, 1 / 10, 8];
+/** The share of its triangles that a model must keep to look best with its own textures, or with no
+ * map of normals if it has none: in general, where seams have at most one vertex for so many
+ * triangles of the budget, and without textures. */
+const [leastOfSeamed, leastOfWhole, leastOfBare, trianglesPerSeam] = [1 / 4, 1 / 10, 3 / 4, 8];
+
+/** A result so near, in percent of the diagonal, shows its shape best without a map of normals. */
+const nearEnough = 0.1;
 
 /** The triangles of a file, and about how many vertices lie on seams and boundaries: a closed
  * surface without any has half as many vertices as triangles, and these make up half of each cut.
@@ -45,10 +49,24 @@ export function isWorthBaking(tree, faces) {
     if (materials.some((/** @type {any} */ { alphaMode }) => alphaMode === 'BLEND')) {
       return faces < triangles;
     }
-    const least = trianglesPerSeam * seams <= faces ? leastOfWhole : leastOfSeamed;
-    const isMild = textures.length > 0 && seams <= faces && faces >= least * triangles;
+    const least = textures.length === 0 ? leastOfBare
+      : trianglesPerSeam * seams <= faces ? leastOfWhole : leastOfSeamed;
+    const isMild = seams <= faces && faces >= least * triangles;
     return !isMild && faces < triangles;
   } catch {
     return true; // the engine says what is wrong with the file
   }
+}
+
+/**
+ * Whether all that was baked are normals that nobody needs: the result shows the shape itself.
+ * @param {any} tree of the given file
+ * @param {{ hausdorff: number } | null} [fidelity] of the result
+ * @returns {boolean}
+ */
+export function isBakedInVain({ materials = [], textures = [], meshes = [] }, fidelity) {
+  const isColoured = meshes.some((/** @type {any} */ { primitives }) =>
+    primitives.some((/** @type {any} */ { attributes }) => 'COLOR_0' in attributes));
+  return Boolean(fidelity) && Number(fidelity?.hausdorff) < nearEnough && !isColoured
+    && textures.length === 0 && new Set(materials.map(kindOf)).size === materials.length;
 }

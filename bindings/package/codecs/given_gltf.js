@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Facts about the given glTF file that presets need: how it is compressed, and whether new
 // textures serve it better than its own.
-import { isWorthBaking } from '../base/worth_baking.js';
+import { isBakedInVain, isWorthBaking } from '../base/worth_baking.js';
 import { openContainer } from './gltf_container.js';
 
 /** The tree of a glTF file; undefined if it has none: the engine says what is wrong with it.
@@ -20,6 +20,13 @@ function treeIn(bytes) {
  * @returns {boolean}
  */
 export const isFileWorthBaking = (bytes, faces) => isWorthBaking(treeIn(bytes), faces);
+
+/**
+ * @param {Uint8Array} bytes of the given glTF file
+ * @param {{ hausdorff: number } | null} [fidelity] of the baked result
+ * @returns {boolean}
+ */
+export const wasFileBakedInVain = (bytes, fidelity) => isBakedInVain(treeIn(bytes), fidelity);
 
 /**
  * How the geometry of a glTF file is compressed; undefined if it is not.

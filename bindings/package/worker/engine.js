@@ -292,6 +292,17 @@ async function withPresetSettled(given, compress) {
   return { ...job, options: withoutPresetBaking(job.options) };
 }
 
+/** The job without the baking that a preset stands for, if its outcome has shown that it added
+ * nothing; undefined if it did. @param {Job} job as it was run @param {any} outcome
+ * @returns {Promise<Job | undefined>} */
+async function withoutVainBaking(job, { report }) {
+  if (job.kind !== 'remeshFile' || !isGltf(job.file.bytes)) return undefined;
+  const options = withoutPresetBaking(job.options);
+  if (options === job.options) return undefined;
+  const { wasFileBakedInVain } = await import('../codecs/given_gltf.js');
+  return wasFileBakedInVain(job.file.bytes, report.fidelity) ? { ...job, options } : undefined;
+}
+
 /** How the result's glTF is to be compressed: as it came, if that was asked for.
  * @param {Job} job as it was given @returns {Promise<'meshopt' | 'draco' | undefined>} */
 async function compressionOf(job) {
@@ -383,6 +394,11 @@ async function openedBy(baker, { file, options }) {
   }
 }
 
+/** Says of a second run only that the whole is nearly done.
+ * @param {((event: ProgressEvent) => boolean | void) | undefined} onProgress */
+const atTheEnd = (onProgress) => onProgress
+  && ((/** @type {ProgressEvent} */ event) => onProgress({ ...event, fraction: 1 }));
+
 export class Engine {
   #loaded;
   #codecs;
@@ -424,9 +440,14 @@ export class Engine {
     const compress = await compressionOf(job);
     if (compress) await requireFile(job);
     requireFileForSlabs(job);
-    const settled = await withPresetSettled(await plain(job), compress);
-    const outcome = withUnitSaid(settled, withPresetSaid(settled,
-      await this.#painted(withLengthsSettled(settled), onProgress)));
+    let settled = await withPresetSettled(await plain(job), compress);
+    let made = await this.#painted(withLengthsSettled(settled), onProgress);
+    const bare = await withoutVainBaking(settled, made);
+    if (bare) {
+      settled = bare;
+      made = await this.#painted(withLengthsSettled(settled), atTheEnd(onProgress));
+    }
+    const outcome = withUnitSaid(settled, withPresetSaid(settled, made));
     if (!outcome.files) return withTexturesListed(outcome, settled);
     const fileOf = (/** @type {Job} */ one) => ('file' in one ? one.file : undefined);
     return (await scripts.whole()).closed(await withTexturesListed(outcome, settled),
