@@ -44,10 +44,8 @@ constexpr double kFreeOfPart = 0.25;
 constexpr double kWorkOfRun = 1e7, kWorkPerVertex = 2000;
 constexpr double kWorkOfFew = 5e5, kWorkOfFewPerVertex = 5e4, kMostWorkOfFew = 3e6;
 
-// So few vertices are finished at each number that is tried, and taken by their distance: maps of
-// neighbouring numbers may be quite different. In sides: nearer quads are near, those farther away
-// have lost a part of the shape.
-constexpr std::size_t kFewToFinish = 512;
+// Few vertices are finished at each number that is tried, and taken by their distance. In sides:
+// nearer quads are near, those farther away have lost a part of the shape.
 constexpr double kNearQuads = 0.3, kLostQuads = 0.6;
 
 // The share of a part in the vertices, by area or, where triangles are graded, by their number.

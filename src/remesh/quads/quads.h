@@ -33,6 +33,10 @@ constexpr double kCountTolerance = 0.01;
 // quads make none, but only some numbers.
 constexpr double kFreeTolerance = 0.04;
 
+// So few vertices are compared by their distance with others of about the same number: maps of
+// neighbouring numbers may be quite different.
+constexpr std::size_t kFewToFinish = 512;
+
 struct QuadGoal {
   std::size_t vertices = 0;        // of the whole
   bool isExact = false;            // else within kCountTolerance, or kFreeTolerance

@@ -29,6 +29,9 @@ namespace {
 // another number may not: numbers that are as good are tried, then some that are said to be missed.
 constexpr double kForcedShares[] = {1, 0.99, 1.01, 0.98, 1.02, 0.97, 1.03};
 
+// In sides of quads; and how many times nearer other quads must be.
+constexpr double kDent = 0.12, kTimesNearer = 3;
+
 // Density, marks or kept triangles of the caller may lie on one side only.
 std::string oneSided(const RemeshOptions& options) {
   if (!options.density.empty()) return "density";
@@ -145,6 +148,21 @@ std::vector<VertexPair> dropUnlessMirrored(std::vector<MirrorPlane>& planes,
 
 }  // namespace
 
+Dent::Dent(const RemeshOutcome& quads, const TriangleMesh& input) {
+  const TriangleMesh& mesh = quads.mesh;
+  if (quads.vertices > kFewToFinish || mesh.indices.empty()) return;
+  const double side = std::sqrt(2 * extentOf(mesh).area / double(mesh.triangleCount()));
+  const TriangleTree tree(mesh.positions, mesh.indices);
+  for (const Index v : input.indices)
+    sides_ = std::max(sides_, std::sqrt(tree.nearest(input.positions[v]).squaredDistance) / side);
+}
+
+bool Dent::isSeen() const { return sides_ > kDent; }
+
+bool Dent::isMendedBy(const Dent& other) const {
+  return isSeen() && kTimesNearer * other.sides_ < sides_;
+}
+
 MirroredOutcome remeshMirrored(const TriangleMesh& input, const std::vector<MirrorPlane>& first,
                                const RemeshOptions& options, const HalfRemesher& remeshHalf) {
   if (options.symmetry != Symmetry::Auto || !options.mirrors.planes.empty()) return {};
@@ -156,7 +174,7 @@ MirroredOutcome remeshMirrored(const TriangleMesh& input, const std::vector<Mirr
   const std::size_t all = mirrors.planes.size();
   if (all == 0) return {};
   if (const std::string wish = oneSided(options); !wish.empty())
-    return {{}, all, {}, wish + " may ask for one side only"};
+    return {{}, {}, all, {}, wish + " may ask for one side only"};
   BuiltMesh built = buildMesh(input);
   mirrors.vertices = targetVertices(built, options);
   std::vector<std::string> chartless;
@@ -167,7 +185,8 @@ MirroredOutcome remeshMirrored(const TriangleMesh& input, const std::vector<Mirr
     edges = dropUnlessMirrored(mirrors.planes, candidates, built, tolerance);
     chartless = std::move(candidates.seams.chartless);
   }
-  std::string lost = "mirrored about more, they miss the number or do not join into one surface";
+  std::string lost =
+      "mirrored about more, they miss the number, dent the shape or do not join into one surface";
   if (options.exact) lost = "mirrored about more, they cannot have the exact number of vertices";
   if (mirrors.planes.size() < all)
     lost = "seams or borders of materials are not mirrored onto edges";
@@ -175,9 +194,17 @@ MirroredOutcome remeshMirrored(const TriangleMesh& input, const std::vector<Mirr
   const InputAttributes whole(input, std::move(built), std::move(chartless));
   // Rather a number that is off by a few hundredths than fewer planes.
   std::optional<RemeshOutcome> best;
-  for (; !best && !mirrors.planes.empty(); mirrors.planes.pop_back())
-    best = mirroredBy({mirrors, edges, Kind::AsGiven}, whole, options, remeshHalf);
-  return {std::move(best), all, free, std::move(lost)};
+  Dent dent;
+  for (; (!best || dent.isSeen()) && !mirrors.planes.empty(); mirrors.planes.pop_back()) {
+    std::optional<RemeshOutcome> made =
+        mirroredBy({mirrors, edges, Kind::AsGiven}, whole, options, remeshHalf);
+    if (!made) continue;
+    const Dent own(*made, input);
+    if (best && !dent.isMendedBy(own)) continue;
+    best = std::move(made);
+    dent = own;
+  }
+  return {std::move(best), dent, all, free, std::move(lost)};
 }
 
 RemeshOutcome remeshForced(const TriangleMesh& input, const RemeshOptions& options,

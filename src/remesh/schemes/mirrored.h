@@ -25,17 +25,32 @@ using PlainRemesher =
 using HalfRemesher =
     std::function<RemeshOutcome(const TriangleMesh& half, const RemeshOptions& options)>;
 
+// Few quads that are farther from the shape than a small share of a side dent it, where others are
+// much nearer.
+class Dent {
+ public:
+  Dent() = default;
+  Dent(const RemeshOutcome& quads, const TriangleMesh& input);
+
+  bool isSeen() const;
+  bool isMendedBy(const Dent& other) const;
+
+ private:
+  double sides_ = 0;  // that the farthest corner of the input is away
+};
+
 struct MirroredOutcome {
   std::optional<RemeshOutcome> made;
+  Dent dent;
   std::size_t planes = 0;         // that mirror the input
   std::vector<MirrorPlane> free;  // those by which quads may be mirrored
   std::string lost;               // why the quads are mirrored by fewer
 };
 
-// Mirrored by as many planes as possible. None if no plane mirrors the input, if borders of
-// materials, seams or the caller's own wishes for places are not mirrored, if the exact number or
-// the surface's kind cannot be had so, or if another number takes single quads out. first: planes
-// that are tried before those through the input's own middle.
+// Mirrored by as many planes as possible without a dent that fewer avoid. None if no plane mirrors
+// the input, if borders of materials, seams or the caller's own wishes for places are not mirrored,
+// if the exact number or the surface's kind cannot be had so, or if another number takes single
+// quads out. first: planes that are tried before those through the input's own middle.
 MirroredOutcome remeshMirrored(const TriangleMesh& input, const std::vector<MirrorPlane>& first,
                                const RemeshOptions& options, const HalfRemesher& remeshHalf);
 

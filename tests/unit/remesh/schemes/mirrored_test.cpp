@@ -8,6 +8,7 @@
 #include <set>
 #include <tuple>
 
+#include "geometry/triangle_tree.h"
 #include "support/shapes.h"
 
 using namespace remesher;
@@ -121,4 +122,17 @@ TEST_CASE("mirrored: a symmetry that is given up is said, with its reason") {
   said = findWarning(graded, "QUADS_SYMMETRY_LOST");
   REQUIRE(said);
   CHECK(said->message.find("density") != std::string::npos);
+}
+
+TEST_CASE("mirrored: few quads keep the corners of a slab that fewer planes keep") {
+  TriangleMesh slab = shapes::cube(2);
+  for (Vec3& p : slab.positions) p = p.cwiseProduct(Vec3(4, 2, 0.5));
+  RemeshOptions options;
+  options.quads = true;
+  for (const Index vertices : {56, 58}) {
+    options.vertices = vertices;
+    const RemeshOutcome made = remeshSurface(slab, options, {});
+    const TriangleTree tree(made.mesh.positions, made.mesh.indices);
+    for (const Vec3& p : slab.positions) CHECK(tree.nearest(p).squaredDistance < 1e-6);
+  }
 }
