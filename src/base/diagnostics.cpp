@@ -19,6 +19,7 @@ constexpr std::array kDiagnostics = {
     Diagnostic{"BODIES_OVERLAP", Severity::Fault},
     Diagnostic{"CAVITIES_FILLED", Severity::Note},
     Diagnostic{"COMMON_FACES_LEFT", Severity::Loss},
+    Diagnostic{"COUNT_CONTRADICTS", Severity::Note},
     Diagnostic{"CROSSINGS_LEFT", Severity::Fault},
     Diagnostic{"DEGENERATE_TRIANGLES_MADE", Severity::Fault},
     Diagnostic{"DEGENERATE_TRIANGLES_REMOVED", Severity::Note},

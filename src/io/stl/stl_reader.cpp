@@ -36,6 +36,7 @@ struct Facets {
   TriangleMesh mesh;
   std::vector<GroupInfo> solids;
   std::size_t colored = 0;
+  std::vector<Warning> warnings = {};
 };
 
 class StlText {
@@ -113,6 +114,29 @@ Facets StlText::read() {
   return std::move(facets_);
 }
 
+void warnOfCount(const File& file, const std::string& what, std::uint64_t count,
+                 std::vector<Warning>& warnings) {
+  warnings.push_back({"COUNT_CONTRADICTS", legible(file.name) + what, std::size_t(count)});
+}
+
+// The bytes decide: some programs write the number before they know it.
+std::uint64_t facetsIn(const File& file, std::uint64_t promised, std::vector<Warning>& warnings) {
+  const std::uint64_t behind = fileSize(file) - (kFacetsAt + kFacetBytes * promised);
+  if (behind == 0) return promised;
+  const std::string said = " says that it has " + std::to_string(promised) + " facets, but ";
+  if (behind % kFacetBytes != 0) {
+    warnOfCount(file,
+                said + "has more bytes than these take: the last " + std::to_string(behind) +
+                    " are left out.",
+                behind, warnings);
+    return promised;
+  }
+  const std::uint64_t held = promised + behind / kFacetBytes;
+  warnOfCount(file, said + "its bytes are " + std::to_string(held) + ": all are read.",
+              behind / kFacetBytes, warnings);
+  return held;
+}
+
 [[noreturn]] void failShort(const File& file, std::uint64_t count) {
   throw Error(ErrorCode::ParseError,
               legible(file.name) + ": it promises " + std::to_string(count) + " facets in " +
@@ -143,13 +167,15 @@ Facets readBinary(const File& file) {
                 "Was it copied completely?");
   ByteReader reader(file);
   const std::string header(reinterpret_cast<const char*>(reader.next(kHeaderBytes)), kHeaderBytes);
-  const std::uint64_t count = littleEndianAt<std::uint32_t>(reader.next(kFacetsAt - kHeaderBytes));
-  if (size < kFacetsAt + kFacetBytes * count) failShort(file, count);
+  const std::uint64_t promised =
+      littleEndianAt<std::uint32_t>(reader.next(kFacetsAt - kHeaderBytes));
+  if (size < kFacetsAt + kFacetBytes * promised) failShort(file, promised);
+  Facets facets;
+  const std::uint64_t count = facetsIn(file, promised, facets.warnings);
   requireRoomFor({double(count) / 2, double(count)}, file);
   // Two conventions for colours: VisCAM and SolidView set the highest bit of a coloured facet;
   // Magics announces colours in the header and clears the bit.
   const bool isMagics = header.find("COLOR=") != std::string::npos;
-  Facets facets;
   CornerWeld weld(static_cast<std::size_t>(count));
   facets.mesh.indices.reserve(3 * static_cast<std::size_t>(count));
   for (std::size_t facet = 0; facet < count; ++facet) {
@@ -173,6 +199,7 @@ Model readStl(const File& file, const std::vector<File>&) {
                 "Only surfaces can be remeshed.");
   Model model;
   model.conventions = Conventions::Classic;
+  model.warnings = std::move(facets.warnings);
   if (facets.colored > 0)
     model.warnings.push_back({"ATTRIBUTE_NOT_CARRIED",
                               "The colours of facets are not carried: other formats have colours "

@@ -78,6 +78,8 @@ export default {
   'warning.ATTRIBUTE_NOT_CARRIED': 'Manche Werte werden nicht mitgenommen.',
   'warning.BACK_TO_BACK_TRIANGLES_REMOVED': 'Dreiecke Rücken an Rücken, die nichts umschließen, '
     + 'wurden entfernt.',
+  'warning.COUNT_CONTRADICTS': 'Die Datei nennt eine andere Zahl von Facetten, als ihre Bytes '
+    + 'ergeben; die Bytes gelten.',
   'warning.CROSSINGS_LEFT': 'Dreiecke schneiden andere.',
   'warning.DEGENERATE_TRIANGLES_MADE': 'Manche Dreiecke des Ergebnisses haben keine Fläche: Teile '
     + 'sind zu dünn für seine Zahlen.',

@@ -78,6 +78,8 @@ export default {
   'warning.ATTRIBUTE_NOT_CARRIED': 'Certaines valeurs ne sont pas reprises.',
   'warning.BACK_TO_BACK_TRIANGLES_REMOVED': 'Des triangles dos à dos, qui n’enferment rien, '
     + 'ont été retirés.',
+  'warning.COUNT_CONTRADICTS': 'Le fichier annonce un autre nombre de facettes que n’en donnent '
+    + 'ses octets ; ce sont eux qui comptent.',
   'warning.CROSSINGS_LEFT': 'Des triangles en coupent d’autres.',
   'warning.DEGENERATE_TRIANGLES_MADE': 'Des triangles du résultat n’ont pas d’aire : des parties '
     + 'sont trop minces pour ses nombres.',

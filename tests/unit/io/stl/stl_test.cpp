@@ -71,12 +71,25 @@ TEST_CASE("stl: corners that differ in the last bit stay apart") {
   CHECK(modelOf(stl.bytes()).parts[0].mesh.positions.size() == 5);
 }
 
-TEST_CASE("stl: a binary file may begin with solid, and have bytes behind its facets") {
+TEST_CASE("stl: a binary file may begin with solid") {
   BinaryStl stl;
   stl.header = "solid but binary, facet normal and all";
   stl.header.resize(80, ' ');
   CHECK(modelOf(stl.bytes()).parts[0].mesh.triangleCount() == 4);
-  CHECK(modelOf(stl.bytes() + "some more").parts[0].mesh.triangleCount() == 4);
+}
+
+TEST_CASE("stl: the bytes of a binary file say how many facets it has, not their number") {
+  std::string binary = BinaryStl().bytes();
+  const io::Model more = modelOf(binary + "some more");
+  CHECK(more.parts[0].mesh.triangleCount() == 4);
+  CHECK(more.warnings.at(0).message.find("the last 9 are left out") != std::string::npos);
+  for (const int count : {0, 1, 3}) {
+    binary[80] = static_cast<char>(count);
+    const io::Model model = modelOf(binary);
+    CHECK(model.parts[0].mesh.triangleCount() == 4);
+    CHECK(model.warnings.at(0).code == "COUNT_CONTRADICTS");
+    CHECK(model.warnings.at(0).count == std::size_t(4 - count));
+  }
 }
 
 TEST_CASE("stl: a text says what the binary does, in any case, with any line ends, with a mark") {
