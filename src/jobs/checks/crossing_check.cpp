@@ -8,32 +8,78 @@
 #include "jobs/checks/result_check.h"
 #include "measure/self_intersections.h"
 #include "mesh/joining.h"
+#include "mesh/submesh.h"
 
 namespace remesher {
 namespace {
 
+Box boxOf(const TriangleMesh& mesh, Index triangle) {
+  Box box;
+  for (const Vec3& p : cornersOf(mesh, triangle)) box.extend(p);
+  return box;
+}
+
 // A triangle's box, enlarged by its own size on all sides: there the original may have met itself
 // for the result to meet itself here.
 Box wideBox(const TriangleMesh& mesh, Index triangle) {
-  Box box;
-  for (const Vec3& p : cornersOf(mesh, triangle)) box.extend(p);
+  const Box box = boxOf(mesh, triangle);
   const double size = (box.high - box.low).maxCoeff();
   return {box.low.array() - size, box.high.array() + size};
+}
+
+// The boxes of some triangles of a mesh.
+using BoxOf = Box (*)(const TriangleMesh&, Index);
+std::vector<Box> boxesOf(const TriangleMesh& mesh, const std::vector<Index>& triangles, BoxOf of) {
+  std::vector<Box> boxes;
+  for (const Index t : triangles) boxes.push_back(of(mesh, t));
+  return boxes;
+}
+
+// The triangles of a mesh whose boxes overlap one of these, ascending.
+std::vector<Index> trianglesNear(const TriangleMesh& mesh, BoxOf of,
+                                 const std::vector<Box>& boxes) {
+  std::vector<Vec3> ends;
+  std::vector<Index> diagonals;  // as triangles: their boxes are these
+  for (const Box& box : boxes) {
+    diagonals.insert(diagonals.end(), 2, Index(ends.size()));
+    diagonals.push_back(Index(ends.size() + 1));
+    ends.insert(ends.end(), {box.low, box.high});
+  }
+  const TriangleTree tree(ends, diagonals);
+  std::vector<Index> found;
+  for (Index t = 0; t < mesh.triangleCount(); ++t)
+    tree.visitOverlapping(of(mesh, t), [&](Index) {
+      if (found.empty() || found.back() != t) found.push_back(t);
+    });
+  return found;
+}
+
+double volumeOf(const Box& box) { return (box.high - box.low).prod(); }
+
+// Whether boxes take so much of a mesh's that most of its triangles are near several of them.
+bool areLarge(const std::vector<Box>& boxes, const TriangleMesh& mesh) {
+  constexpr double kMostShare = 4;
+  Box whole;
+  for (const Vec3& p : mesh.positions) whole.extend(p);
+  double sum = 0;
+  for (const Box& box : boxes) sum += volumeOf(box);
+  return !(sum < kMostShare * volumeOf(whole));
+}
+
+// Of a mesh all triangles that may be near one of these boxes and meet another triangle, and those
+// that they may meet.
+TriangleMesh meetingNear(const TriangleMesh& mesh, const std::vector<Box>& boxes) {
+  if (areLarge(boxes, mesh)) return mesh;
+  const std::vector<Index> near = trianglesNear(mesh, boxOf, boxes);
+  return submeshOf(mesh, trianglesNear(mesh, boxOf, boxesOf(mesh, near, boxOf))).mesh;
 }
 
 // Without those of the triangles `found` that are near one of the original's `given`.
 std::vector<Index> beyond(const TriangleMesh& original, const std::vector<Index>& given,
                           const TriangleMesh& result, std::vector<Index> found) {
   if (given.empty()) return found;
-  std::vector<Index> corners;
-  for (const Index t : given)
-    for (std::size_t k = 0; k < 3; ++k) corners.push_back(original.indices[std::size_t{3} * t + k]);
-  const TriangleTree tree(original.positions, corners);
-  std::erase_if(found, [&](Index t) {
-    bool isNear = false;
-    tree.visitOverlapping(wideBox(result, t), [&](Index) { isNear = true; });
-    return isNear;
-  });
+  const std::vector<Index> near = trianglesNear(result, wideBox, boxesOf(original, given, boxOf));
+  std::erase_if(found, [&](Index t) { return std::binary_search(near.begin(), near.end(), t); });
   return found;
 }
 
@@ -64,9 +110,10 @@ std::vector<Index> crossingsMade(const TriangleMesh& original, const TriangleMes
                                  bool* isCrossed) {
   std::vector<Index> found = selfIntersections(result);
   if (found.empty()) return found;
-  const std::vector<Index> given = selfIntersections(original);
-  if (isCrossed != nullptr) *isCrossed = !given.empty();
-  return beyond(original, given, result, std::move(found));
+  const TriangleMesh near = meetingNear(original, boxesOf(result, found, wideBox));
+  const std::vector<Index> given = selfIntersections(near);
+  if (isCrossed != nullptr) *isCrossed = !given.empty() || !selfIntersections(original).empty();
+  return beyond(near, given, result, std::move(found));
 }
 
 MadeCrossings crossingsMade(const PartPairs& parts, const std::vector<std::vector<Index>>& own) {

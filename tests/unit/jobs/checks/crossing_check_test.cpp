@@ -35,6 +35,21 @@ TEST_CASE("crossing check: triangles count that meet others where none of the or
   CHECK(crossingsMade(kCrossing, kApart).empty());
 }
 
+TEST_CASE("crossing check: only crossings near by excuse those of the result") {
+  TriangleMesh far = kCrossing;
+  for (Vec3& p : far.positions) p.x() += 100;
+  const TriangleMesh original = soups::joined({kApart, far});
+  const TriangleMesh result = soups::joined({kCrossing, far});
+  bool isCrossed = false;
+  CHECK(crossingsMade(original, result) == crossingsMade(kApart, kCrossing));
+  CHECK(!crossingsMade(original, kCrossing, &isCrossed).empty());
+  CHECK(isCrossed);
+  CHECK(!crossingsMade(kApart, kCrossing, &isCrossed).empty());
+  CHECK(!isCrossed);
+  CHECK(crossingsMade(kCrossing, kCrossing, &isCrossed).empty());
+  CHECK(isCrossed);
+}
+
 TEST_CASE("crossing check: parts are looked at together, where they are shown") {
   const TriangleMesh cube = soups::cube(0, 2);
   const std::vector<io::Part> apart = {placed(cube, {0, 0, 0}), placed(cube, {2.5, 0, 0})};
