@@ -8,6 +8,7 @@
 #include "jobs/checks/whole_steps.h"
 #include "jobs/dropping.h"
 #include "jobs/part_repair.h"
+#include "jobs/parts/drawing_order.h"
 #include "jobs/parts/part_guides.h"
 #include "jobs/pixel_levels.h"
 #include "jobs/region_run.h"
@@ -34,6 +35,8 @@ PartsRepair repairParts(std::vector<io::Part>, const RemeshOptions&, const Progr
 
 Dropped dropSmallPieces(std::vector<io::Part>&, const RemeshOptions&) { refuse("Leaving out"); }
 Dropped dropHiddenTriangles(std::vector<io::Part>&, Hidden) { refuse("Leaving out"); }
+
+void keepDrawingOrder(std::vector<io::Part>&, const std::vector<io::Part>&) {}
 
 SceneRun withinPixels(double, const Report&, const RunOfLevel&) { refuse("A level by pixels"); }
 

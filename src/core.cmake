@@ -422,6 +422,7 @@ set(whole_only
   src/jobs/checks/whole_steps.cpp
   src/jobs/dropping.cpp
   src/jobs/part_repair.cpp
+  src/jobs/parts/drawing_order.cpp
   src/jobs/parts/part_guides.cpp
   src/jobs/pixel_levels.cpp
   src/jobs/region_run.cpp

@@ -79,6 +79,7 @@ add_executable(unit_tests
   tests/unit/jobs/open_number_test.cpp
   tests/unit/jobs/part_repair_test.cpp
   tests/unit/jobs/parts/common_frame_test.cpp
+  tests/unit/jobs/parts/drawing_order_test.cpp
   tests/unit/jobs/parts/part_frames_test.cpp
   tests/unit/jobs/parts/part_guides_test.cpp
   tests/unit/jobs/parts/part_joining_test.cpp

@@ -16,6 +16,7 @@
 #include "jobs/inspected_parts.h"
 #include "jobs/level_switches.h"
 #include "jobs/part_run.h"
+#include "jobs/parts/drawing_order.h"
 #include "jobs/parts/part_guides.h"
 #include "jobs/parts/part_joining.h"
 #include "jobs/parts/part_report.h"
@@ -415,12 +416,14 @@ std::vector<SceneRun> remeshLevels(const std::vector<io::Part>& originals, Held 
     const SceneInput input = {inspected, held};
     const double share = 1 / double(1 + options.lods.size());
     std::vector<SceneRun> runs = {remeshInBudget(input, options, progress.part(0, share))};
+    keepDrawingOrder(runs.front().parts, originals);
     if (options.lods.empty()) return runs;
     progress.phase("levels of detail", share, share);
     const SceneRun& finest = runs.front();
     for (SceneRun& run : remeshCoarser(input, optionsOfLevels(options, finest.report), finest,
                                        progress.part(share, 1))) {
       runs.front().report.lods.push_back(run.report);
+      keepDrawingOrder(run.parts, originals);
       runs.push_back(std::move(run));
     }
     return runs;
@@ -436,6 +439,7 @@ std::vector<SceneRun> simplifiedLevels(const std::vector<io::Part>& originals,
         finest, options, progress, [&](double amount, const SceneRun& finer, const Progress& part) {
           SceneRun run = simplified(inspected, optionsOfSimplified(options, amount, finest.report),
                                     finer, part);
+          keepDrawingOrder(run.parts, finest.parts);
           run.report.input = finest.report.input;
           run.report.fidelity =
               fidelityOf({originals, run.parts, placesOf(originals)}, Maximum::Sampled, {});

@@ -35,7 +35,7 @@ function sizesOf({ meshes = [], accessors = [] }) {
  * stay keep their own texture coordinates. So does a surface that is not reduced much and has fewer
  * vertices on seams than the budget has triangles: its texels stay sharp. So do cards whose alpha
  * cuts them out: many leaves share the texels of one. What is blended is baked: later triangles lie
- * over earlier ones, and only baking keeps that order.
+ * over earlier ones, and new textures show that order best.
  * @param {any} tree of a glTF file, its JSON
  * @param {number} faces the budget; 0: there is none
  * @returns {boolean}
