@@ -138,9 +138,9 @@ RemeshOptions PartTargets::of(std::size_t part) const {
   RemeshOptions result = options_;
   const bool isLast = part == last_;
   // Other parts make up for a raised number, but the last part has only what is left. Without a
-  // number for the whole, any part may be raised.
+  // number for the whole, any part may be raised; a budget of faces is kept as near as may be.
   const bool asksForNone = !options_.vertices && !options_.ratio && !options_.edgeLength;
-  const bool isOneOfMany = parts_.size() > 1 && !(isLast && options_.vertices);
+  const bool isOneOfMany = parts_.size() > 1 && !(isLast && options_.vertices && !options_.faces);
   if (asksForNone || isOneOfMany) result.tooFew = TooFew::Raise;
   if (options_.vertices) {
     result.vertices = Index(std::llround(isLast ? verticesLeft_ : shareOf(part)));

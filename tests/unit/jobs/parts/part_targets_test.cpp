@@ -51,6 +51,16 @@ TEST_CASE("part_targets: vertices are shared out by area in the world") {
   CHECK(std::abs(double(vertices[1]) - 1000 * 4.0 / 6) <= 1);
 }
 
+TEST_CASE("part_targets: a budget of faces that is too small refuses no part") {
+  const std::vector<io::Part> parts(3, partOf(shapes::torus(24, 16), 1));
+  RemeshOptions options;
+  options.prefer = Prefer::Shape;
+  options.vertices = 12;
+  CHECK_THROWS_AS(remeshed(parts, options), TooFewVertices);
+  options.faces = 24;
+  for (const std::size_t own : remeshed(parts, options)) CHECK(own <= 9);
+}
+
 TEST_CASE("part_targets: what is shown in several sizes has the mean of its areas") {
   const TriangleMesh torus = shapes::torus(24, 16);
   io::Part twice = partOf(torus, 3);
