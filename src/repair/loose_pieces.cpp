@@ -11,6 +11,15 @@
 
 namespace remesher {
 
+namespace {
+
+// Squared lengths of copies of a piece, turned anyhow and rounded, differ by less.
+constexpr double kEqual = 5e-4;
+
+bool areNear(double a, double b) { return std::max(a, b) <= (1 + kEqual) * std::min(a, b); }
+
+}  // namespace
+
 LoosePieces::LoosePieces(std::span<const Vec3> positions, std::span<const Index> corners)
     : positions_(positions), corners_(corners) {
   const std::vector<Index> first = weld(positions);
@@ -31,6 +40,7 @@ LoosePieces::LoosePieces(std::span<const Vec3> positions, std::span<const Index>
                &c = positions[corners[i + 2]];
     for (const Vec3* p : {&a, &b, &c}) piece.box.extend(*p);
     piece.area += area(a, b, c);
+    piece.edges += (b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm();
     ++piece.triangles;
     ofTriangles_.push_back(number);
   }
@@ -64,17 +74,19 @@ std::vector<char> LoosePieces::floaters() const {
 }
 
 void LoosePieces::keepThreeOfAKind(std::vector<char>& isSmall) const {
-  constexpr double kEqual = 1e-3;
   constexpr std::size_t kKind = 3;
   std::map<std::size_t, std::vector<std::pair<double, std::size_t>>> byTriangles;
   for (std::size_t p = 0; p < pieces_.size(); ++p)
-    if (isSmall[p]) byTriangles[pieces_[p].triangles].emplace_back(std::sqrt(pieces_[p].area), p);
-  for (auto& [triangles, alike] : byTriangles) {
-    std::sort(alike.begin(), alike.end());
-    for (std::size_t begin = 0, end = 0; begin < alike.size(); begin = end) {
-      while (end < alike.size() && alike[end].first <= (1 + kEqual) * alike[begin].first) ++end;
-      for (std::size_t i = begin; i < end && end - begin >= kKind; ++i)
-        isSmall[alike[i].second] = 0;
+    if (isSmall[p]) byTriangles[pieces_[p].triangles].emplace_back(pieces_[p].area, p);
+  for (auto& [triangles, byArea] : byTriangles) {
+    std::sort(byArea.begin(), byArea.end());
+    for (const auto& [own, piece] : byArea) {
+      std::size_t alike = 0;  // the piece itself among them
+      for (auto other = std::lower_bound(byArea.begin(), byArea.end(),
+                                         std::pair(own / (1 + kEqual), std::size_t{0}));
+           other != byArea.end() && other->first <= (1 + kEqual) * own && alike < kKind; ++other)
+        alike += areNear(pieces_[piece].edges, pieces_[other->second].edges) ? 1 : 0;
+      if (alike == kKind) isSmall[piece] = 0;
     }
   }
 }

@@ -14,6 +14,7 @@ namespace remesher {
 struct LoosePiece {
   Box box;
   double area = 0;
+  double edges = 0;  // the sum of their squared lengths, each counted once for each triangle
   std::size_t triangles = 0;
 
   double across() const { return (box.high - box.low).norm(); }

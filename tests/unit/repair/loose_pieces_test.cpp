@@ -44,6 +44,18 @@ TEST_CASE("loose pieces: floaters are small and away from the rest") {
   CHECK(floatersOf(soups::joined({body, large})) == std::vector<char>{0, 0});
 }
 
+TEST_CASE("loose pieces: many floaters of one area are no kind") {
+  TriangleMesh mesh = ballAt({0, 0, 0}, 1, 6);
+  for (int k = 0; k < 4; ++k) {
+    TriangleMesh speck = ballAt({0, 0, 0}, 1, 1);
+    for (Vec3& p : speck.positions) p.x() *= 1 + 0.2 * k;
+    const double size = 0.01 / std::sqrt(LoosePieces(speck.positions, speck.indices).all()[0].area);
+    for (Vec3& p : speck.positions) p = size * p + 1.2 * shapes::onCircle(k, 4);
+    mesh = soups::joined({mesh, speck});
+  }
+  CHECK(floatersOf(mesh) == std::vector<char>{0, 1, 1, 1, 1});
+}
+
 TEST_CASE("loose pieces: three of a kind are meant, and so are pieces that make up the model") {
   TriangleMesh studded = ballAt({0, 0, 0}, 1, 6);
   for (int k = 0; k < 4; ++k)
