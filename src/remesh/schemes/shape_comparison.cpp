@@ -287,8 +287,10 @@ void ShapeComparison::unrollFacets() {
   const AngleQuality facets = qualityOf(conforming_->mesh);
   const double most = facets.hasNeedles() ? kInsteadOfNeedles : kInsteadOfPoor;
   const double worthwhile = std::min(kGoodIsotropic, facets.mean + kMuchWider);
-  // Narrow angles between lines are the part's own.
-  const double least = std::min(kGoodLeast, facets.least);
+  // Narrow angles between lines are the part's own. Where angles are wide on average, only wider
+  // ones in the worst triangle are worth a distance.
+  const bool isWide = facets.mean >= kGoodIsotropic;
+  const double least = isWide ? kGoodLeast : std::min(kGoodLeast, facets.least);
   for (const double farthest : kUnrolled) {
     if (farthest > most) return;
     if (!takeUnrolled(farthest, {worthwhile, least})) continue;
@@ -308,6 +310,7 @@ bool ShapeComparison::takeUnrolled(double farthest, const WantedAngles& wanted) 
   if (!made || made->away.farthest > 2 * depth) return false;
   const AngleQuality quality = qualityOf(made->mesh);
   if (quality.least < wanted.least || quality.mean < wanted.mean) return false;
+  if (farthest > kInsteadOfPoor && quality.hasNeedles()) return false;
   const BuiltMesh unrolled = buildMesh(made->mesh);
   if (!keepsVolume({built.mesh, built.positions}, {unrolled.mesh, unrolled.positions}))
     return false;
@@ -357,6 +360,7 @@ bool ShapeComparison::keepsPart(const WorkingMesh& isotropic) {
   const BuiltMesh& built = original_.surface().built();
   const AngleQuality facets = qualityOf(conforming()->mesh);
   if (facets.isGood(kGoodFacets) && farthest_ <= kInsteadOfPoor) return false;
+  if (facets.mean >= kFineFacets && !facets.hasNeedles()) return false;
   const double most = facets.hasNeedles() ? kInsteadOfNeedles : kInsteadOfPoor;
   const double unseen = kSeen * spreadOf(built);
   if (awayOf(isotropic).farthest > most * unseen || !qualityOf(isotropic).isGood(kGoodIsotropic))

@@ -242,6 +242,23 @@ TEST_CASE("conformed: triangles keep their group, and shading goes over them as 
   }
 }
 
+TEST_CASE("conformed: a narrow corner, which stays so, is no reason to leave the other facets") {
+  // A drop: a round wall between two flat ones that meet at nine degrees.
+  constexpr int kSides = 24;
+  const double half = radians(4.5), turn = 3 * radians(60) + 2 * half;
+  std::vector<Vec2> outline = {{1 / std::sin(half), 0}};
+  for (int k = 0; k <= kSides; ++k) {
+    const double at = radians(90) - half + turn * k / kSides;
+    outline.emplace_back(std::cos(at), std::sin(at));
+  }
+  const TriangleMesh drop = shapes::extruded(outline, 1);
+  for (const Index times : {10, 20}) {
+    const RemeshOutcome made = remeshed(drop, times * Index(drop.positions.size()), Prefer::Auto);
+    CHECK(error(drop, made.mesh) < 1e-4);
+    CHECK(inspectMesh(made.mesh).minAngle.mean > 48);
+  }
+}
+
 TEST_CASE("conformed: round bodies are not made of facets and are never meshed so") {
   CHECK_FALSE(isFaceted(buildMesh(shapes::icosphere(8))));
   CHECK(isFaceted(buildMesh(cup())));
