@@ -190,7 +190,7 @@ void warnOf(Report& report, const PartPairs& parts, const MadeCrossings& crossin
             const RemeshOptions& wanted) {
   for (const std::vector<Warning>& more :
        {warningsOf(crossings, parts.results), resultWarnings(report, parts.results, wanted),
-        bordersOffGiven(parts.originals, parts.results)})
+        bordersOffGiven(parts.originals, parts.results), dentedPart(report, parts, wanted)})
     report.warnings = joined(std::move(report.warnings), more);
   if (!report.output->quads) return;
   for (const std::vector<Warning>& more : {pairedParts(*report.output->quads, parts.results),

@@ -11,9 +11,11 @@
 #include "base/legible.h"
 #include "geometry/mesh_triangle.h"
 #include "geometry/triangle.h"
+#include "geometry/triangle_tree.h"
 #include "jobs/parts/part_places.h"
 #include "measure/mesh_report.h"
 #include "mesh/welding.h"
+#include "remesh/schemes/conformed.h"
 
 namespace remesher {
 namespace {
@@ -27,6 +29,9 @@ constexpr double kWholeDiagonal = 100;
 
 // A surface no larger than this many steps of its coordinates is lost to rounding.
 constexpr double kSteps = 64;
+
+// A part is visibly dented from this distance on, in percent of the diagonal.
+constexpr double kDented = 1;
 
 // A bound that was kept may be measured as slightly exceeded.
 constexpr double kRounding = 1 + 1e-6;
@@ -266,6 +271,29 @@ std::vector<Warning> moreThanAsked(const Report& report, const RemeshOptions& op
   return {{"TOO_FEW_VERTICES", std::to_string(*options.vertices) + " vertices are too few " +
                                    surface + ": the result has " + std::to_string(after.vertices) +
                                    "."}};
+}
+
+std::vector<Warning> dentedPart(const Report& report, const PartPairs& parts,
+                                const RemeshOptions& options) {
+  if (!report.fidelity || report.fidelity->hausdorff <= kDented || report.output->quads) return {};
+  if (parts.originals.size() != 1 || options.tooFew == TooFew::Raise) return {};
+  const TriangleMesh& given = parts.originals.front().mesh;
+  const std::size_t enough = fewestConformed(given);
+  if (enough <= report.output->vertices) return {};
+  const TriangleMesh& made = parts.results.front().mesh;
+  const TriangleTree tree(made.positions, made.indices);
+  double farthest = -1;
+  Vec3 where = Vec3::Zero();
+  for (const Index corner : given.indices) {
+    const Vec3& p = given.positions[corner];
+    const double squared = tree.nearest(p).squaredDistance;
+    if (squared > farthest) farthest = squared, where = p;
+  }
+  return {{"SHAPE_TAKES_MORE",
+           "The part is up to " + number(report.fidelity->hausdorff) +
+               " % of the diagonal away, most near (" + placeInWords(where, parts.originals) +
+               "). As many as " + std::to_string(enough) + " vertices keep its shape.",
+           1, where}};
 }
 
 std::vector<Warning> resultWarnings(const Report& report, const std::vector<io::Part>& result,

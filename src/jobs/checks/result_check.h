@@ -9,6 +9,7 @@
 #include "base/options.h"
 #include "base/report.h"
 #include "io/model/model.h"
+#include "jobs/parts/part_report.h"
 
 namespace remesher {
 
@@ -44,7 +45,12 @@ std::vector<Warning> fartherThanAsked(const Report& report, const RemeshOptions&
 // missed the number for more.
 std::vector<Warning> moreThanAsked(const Report& report, const RemeshOptions& options);
 
-// All of these warnings that apply.
+// SHAPE_TAKES_MORE, if the only part is made of facets, is dented by more than a hundredth of the
+// diagonal, and has too few vertices for its shape. Levels of detail are meant to be so.
+std::vector<Warning> dentedPart(const Report& report, const PartPairs& parts,
+                                const RemeshOptions& options);
+
+// All of these warnings that apply, but for dentedPart.
 std::vector<Warning> resultWarnings(const Report& report, const std::vector<io::Part>& result,
                                     const RemeshOptions& options);
 

@@ -104,4 +104,10 @@ std::unique_ptr<FacetedMesh> makeConforming(const BuiltMesh& original,
   return nullptr;
 }
 
+std::size_t fewestConforming(const BuiltMesh& original, const HalfedgeData<char>& seams) {
+  FacetedMesh mesh(original, seams, {});
+  thinOut(mesh);
+  return placesOf(mesh);
+}
+
 }  // namespace remesher

@@ -17,4 +17,7 @@ std::unique_ptr<FacetedMesh> makeConforming(const BuiltMesh& original,
                                             const HalfedgeData<char>& seams, std::size_t positions,
                                             const FacetLimits& limits = {});
 
+// The fewest distinct positions of such a mesh.
+std::size_t fewestConforming(const BuiltMesh& original, const HalfedgeData<char>& seams);
+
 }  // namespace remesher

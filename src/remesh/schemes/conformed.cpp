@@ -7,6 +7,7 @@
 
 #include "mesh/attribute_mix.h"
 #include "remesh/conforming/conforming.h"
+#include "remesh/schemes/shape_comparison.h"
 #include "remesh/transfer/attribute_transfer.h"
 
 namespace remesher {
@@ -90,6 +91,12 @@ std::optional<Followed> conformed(const BuiltMesh& original, const TriangleMesh&
   if (hasLines(result.mesh)) return {};
   result.away = awayFrom({mesh->mesh(), mesh->positions()}, original.mesh, original.positions);
   return result;
+}
+
+std::size_t fewestConformed(const TriangleMesh& input) {
+  if (isDrawnOn(input)) return 0;
+  const BuiltMesh built = buildMesh(input);
+  return isFaceted(built) ? fewestConforming(built, seamsOf(built, input, Textures::Keep)) : 0;
 }
 
 }  // namespace remesher

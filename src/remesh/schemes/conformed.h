@@ -15,4 +15,8 @@ std::optional<Followed> conformed(const BuiltMesh& original, const TriangleMesh&
                                   std::size_t positions, Textures textures,
                                   const FacetLimits& limits = {});
 
+// The fewest positions that keep the shape of a surface whose area is mostly facets of several
+// triangles; 0 for others, and where textures or colours are drawn on it.
+std::size_t fewestConformed(const TriangleMesh& input);
+
 }  // namespace remesher

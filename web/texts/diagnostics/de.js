@@ -172,8 +172,8 @@ export default {
   'warning.CAVITIES_FILLED': 'Hohlräume, die von außen nicht zu sehen sind, wurden gefüllt.',
   'warning.SHAPE_NOT_PREFERRED': 'Punkte dort, wo die Form sie am meisten braucht, ließen die '
     + 'reparierte Fläche sich selbst schneiden: Ihre Dreiecke sind stattdessen gleichmäßig.',
-  'warning.SHAPE_TAKES_MORE': 'Mit dem gewünschten kleinsten Winkel oder der Kantenlänge weicht '
-    + 'die Form sichtbar ab. Verlangen Sie mehr Punkte oder einen kleineren Winkel.',
+  'warning.SHAPE_TAKES_MORE': 'Mit so wenigen Punkten, dem gewünschten Winkel oder der Kantenlänge '
+    + 'weicht die Form sichtbar ab. Verlangen Sie mehr Punkte oder einen kleineren Winkel.',
   'warning.SHEETS_LEFT': 'Blätter wie Karten, Stoff oder Gelände umschließen nichts und blieben, '
     + 'wie '
     + 'sie waren; „einhüllen“ macht dünne Körper aus ihnen.',

@@ -158,8 +158,8 @@ export default {
   'warning.CAVITIES_FILLED': 'Des cavités invisibles de l’extérieur ont été remplies.',
   'warning.SHAPE_NOT_PREFERRED': 'Des sommets là où la forme les réclame feraient se couper la '
     + 'surface réparée : ses triangles sont réguliers à la place.',
-  'warning.SHAPE_TAKES_MORE': 'Avec le plus petit angle ou la longueur voulus, la forme s’écarte '
-    + 'visiblement. Demandez plus de sommets, ou un angle plus petit.',
+  'warning.SHAPE_TAKES_MORE': 'Avec si peu de sommets, l’angle ou la longueur voulus, la forme '
+    + 's’écarte visiblement. Demandez plus de sommets, ou un angle plus petit.',
   'warning.SHEETS_LEFT': 'Des feuilles (cartes, tissu, terrain) n’enferment rien et sont restées '
     + 'telles quelles ; « envelopper » en fait des solides minces.',
   'warning.PASSED_ON': 'Des maillages sans aire ont été transmis tels quels.',

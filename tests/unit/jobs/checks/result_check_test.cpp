@@ -177,6 +177,32 @@ TEST_CASE("result check: a bound that was asked for and is not kept is said, wit
   CHECK(warnings[0].message.find("not 0.5 % at most") != std::string::npos);
 }
 
+TEST_CASE("result check: a part of facets that is dented is said, with what its shape takes") {
+  const auto said = [](const TriangleMesh& given, double hausdorff, TooFew tooFew) {
+    const std::vector<io::Part> before = {io::Part{"", given, {}}};
+    const std::vector<io::Part> after = {io::Part{"", shapes::tetrahedron(), {}}};
+    Report report;
+    report.output = inspectMesh(after[0].mesh);
+    report.fidelity = FidelityReport{hausdorff, 0};
+    RemeshOptions options;
+    options.tooFew = tooFew;
+    return dentedPart(report, {before, after, {}}, options);
+  };
+  const TriangleMesh box = shapes::cube(2);
+  const std::vector<Warning> warnings = said(box, 1.5, TooFew::Refuse);
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings[0].code == "SHAPE_TAKES_MORE");
+  CHECK(warnings[0].message.find("1.5 % of the diagonal") != std::string::npos);
+  CHECK(warnings[0].message.find("As many as 8 vertices") != std::string::npos);
+  REQUIRE(warnings[0].at.has_value());
+  CHECK(said(box, 0.9, TooFew::Refuse).empty());
+  CHECK(said(box, 1.5, TooFew::Raise).empty());
+  CHECK(said(shapes::icosphere(3), 1.5, TooFew::Refuse).empty());
+  TriangleMesh drawn = box;
+  drawn.attributes.push_back({"COLOR_0", 3, std::vector<float>(3 * box.positions.size())});
+  CHECK(said(drawn, 1.5, TooFew::Refuse).empty());
+}
+
 TEST_CASE("result check: more vertices than asked for of a repaired surface are said, and why") {
   RemeshOptions options;
   options.vertices = 500;

@@ -259,6 +259,14 @@ TEST_CASE("conformed: a narrow corner, which stays so, is no reason to leave the
   }
 }
 
+TEST_CASE("conformed: the fewest vertices of a part are the corners of its facets") {
+  CHECK(fewestConformed(shapes::cube(3)) == 8);
+  const TriangleMesh ring = turnedAbout({{1, 0}, {2, 0}, {2, 1}, {1, 1}}, 24);
+  CHECK(fewestConformed(ring) == ring.positions.size());
+  CHECK(error(ring, conformed(buildMesh(ring), ring, 96, Textures::Keep)->mesh) < 1e-9);
+  CHECK(fewestConformed(shapes::icosphere(4)) == 0);
+}
+
 TEST_CASE("conformed: round bodies are not made of facets and are never meshed so") {
   CHECK_FALSE(isFaceted(buildMesh(shapes::icosphere(8))));
   CHECK(isFaceted(buildMesh(cup())));
