@@ -81,6 +81,7 @@ constexpr std::array kDiagnostics = {
     Diagnostic{"RIMS_CLOSED", Severity::Note},
     Diagnostic{"RIMS_LEFT_OPEN", Severity::Note},
     Diagnostic{"RIMS_NOT_KEPT", Severity::Loss},
+    Diagnostic{"ROUNDED_FAR_FROM_ORIGIN", Severity::Loss},
     Diagnostic{"SCRAPS_REMOVED", Severity::Note},
     Diagnostic{"SEEN_PARTS_LOST", Severity::Loss},
     Diagnostic{"SELF_INTERSECTIONS_MADE", Severity::Fault},

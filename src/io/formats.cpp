@@ -173,10 +173,22 @@ void prepare(Model& model, const std::string& outputName) {
   const bool isSingle =
       !format->has(kHoldsDoubles) || (format->write == writePly && becomesSingle(model));
   if (!isSingle) return;
+  double coarsest = 0;
   for (Part& part : model.parts) {
     const bool wasExact = !std::exchange(part.mesh.isSingle, true);
-    if (wasExact && format->has(kHoldsScenes) && isFarFromOrigin(part.mesh)) moveToOrigin(part);
+    if (!wasExact || !isFarFromOrigin(part.mesh)) continue;
+    if (format->has(kHoldsScenes))
+      moveToOrigin(part);
+    else
+      coarsest = std::max(coarsest, singleStep(part.mesh));
   }
+  if (coarsest == 0) return;
+  model.warnings.push_back(
+      {"ROUNDED_FAR_FROM_ORIGIN",
+       "The coordinates are rounded to steps of " + inDigits(coarsest, 3) +
+           ": a file of this format holds no finer ones so far from the origin. Write a .ply or "
+           ".obj, or move the model to the origin first.",
+       1});
 }
 
 void unite(Model& model, const std::string& outputName) {

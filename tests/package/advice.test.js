@@ -132,6 +132,8 @@ const notGiven = sheetFile((tree) => {
   tree.images = [{ uri: 'paint.png' }];
 });
 const painted = { textures: 'bake', textureSize: 64, textureFormat: 'png', vertices: 40 };
+const far = bytesOf(offText({ positions: Float64Array.from(ball.positions, (x) => 5e6 + x),
+  indices: ball.indices }));
 const large = bytesOf(offText({
   positions: Float64Array.from(ball.positions, (x) => 1e300 * x), indices: ball.indices }));
 const utf16 = Buffer.from(`\ufeff${offText(ball)}`, 'utf16le');
@@ -204,6 +206,8 @@ const advice = [
     inFile(withHidden, mesh({ output: 'a.gltf' }))],
   ['MATERIAL_IMAGES_NOT_READ', inFile(sheetFile(), mesh({ output: 'a.off' })),
     /write a \.glb or \.gltf/, inFile(sheetFile(), mesh({ output: 'a.gltf' }))],
+  ['ROUNDED_FAR_FROM_ORIGIN', inFile(far, mesh({ name: 'a.off', output: 'a.stl' })),
+    /Write a \.ply or \.obj/, inFile(far, mesh({ name: 'a.off', output: 'a.ply' }))],
   ['RESOURCE_NOT_GIVEN', inFile(notGiven, mesh()), /was not given/,
     inFile(notGiven, mesh({ resources: { 'paint.png': png(8, 8, () => [9, 9, 9]) } }))],
   ['ELEMENTS_LEFT_OUT',

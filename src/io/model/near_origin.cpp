@@ -15,6 +15,10 @@ Box boxOf(const TriangleMesh& mesh) {
   return box;
 }
 
+double farthestOf(const Box& box) {
+  return box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
+}
+
 }  // namespace
 
 bool isFarFromOrigin(const TriangleMesh& mesh) {
@@ -22,8 +26,13 @@ bool isFarFromOrigin(const TriangleMesh& mesh) {
   constexpr double kStep = std::numeric_limits<float>::epsilon() / 2;
   const Box box = boxOf(mesh);
   if (box.isEmpty()) return false;
-  const double farthest = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
-  return farthest * kStep > kVisible * box.diagonal().norm();
+  return farthestOf(box) * kStep > kVisible * box.diagonal().norm();
+}
+
+double singleStep(const TriangleMesh& mesh) {
+  const Box box = boxOf(mesh);
+  if (box.isEmpty()) return 0;
+  return std::ldexp(1.0, std::ilogb(farthestOf(box)) + 1 - std::numeric_limits<float>::digits);
 }
 
 void moveToOrigin(Part& part) {

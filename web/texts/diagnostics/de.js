@@ -182,6 +182,8 @@ export default {
     + 'sich nicht schneidet.',
   'warning.SHAPE_LOST_TO_ROUNDING': 'Das Modell ist kleiner als das, worauf Zahlen so weit vom '
     + 'Ursprung gerundet werden. Schieben Sie es zuerst dorthin.',
+  'warning.ROUNDED_FAR_FROM_ORIGIN': 'Das Format hält so weit vom Ursprung nur grobe Koordinaten: '
+    + 'Schreiben Sie .ply oder .obj, oder schieben Sie das Modell zuerst dorthin.',
   'warning.SPIKES_LEFT_COARSE': 'Punkte, die weit herausragen, hängen an Nadeln; diese bekommen '
     + 'wenige Punkte.',
   'warning.SURFACE_OPENED': 'Das Ergebnis hat offene Kanten, obwohl das Original geschlossen war.',

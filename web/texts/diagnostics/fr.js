@@ -182,6 +182,8 @@ export default {
     + 'ont pas tous.',
   'warning.QUADS_TOO_FEW': 'Une partie de la forme est perdue : demandez plus de quads.',
   'warning.QUADS_TURNED_AWAY': 'Des quads sont à l’envers sur la surface.',
+  'warning.ROUNDED_FAR_FROM_ORIGIN': 'Si loin de l’origine, ce format n’a que des coordonnées '
+    + 'grossières : écrivez .ply ou .obj, ou déplacez d’abord le modèle vers elle.',
   'warning.SPIKES_LEFT_COARSE': 'Des points qui dépassent de loin tiennent par des aiguilles ; '
     + 'celles-ci reçoivent peu de points.',
   'warning.SURFACE_OPENED': 'Le résultat a des arêtes ouvertes, alors que l’original était fermé.',

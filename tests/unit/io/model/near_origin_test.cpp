@@ -90,3 +90,15 @@ TEST_CASE("near origin: a remeshed ball is a ball there, too") {
   for (const Vec3& point : shown(io::read(result.files[0])))
     CHECK((point - kPlace).norm() == doctest::Approx(1).epsilon(0.01));
 }
+
+TEST_CASE("near origin: a format without places says in what steps it rounds there") {
+  const auto said = [](const Vec3& place, const std::string& name) {
+    io::Model model = ballAt(place);
+    io::prepare(model, name);
+    return model.warnings.empty() ? std::string() : model.warnings.front().message;
+  };
+  CHECK(said(kPlace, "ball.stl").find("steps of 0.5:") < kNone);
+  CHECK(said({1, 2, 3}, "ball.stl").empty());
+  for (const char* const name : {"ball.ply", "ball.obj", "ball.glb", "ball.3mf", "ball.vtu"})
+    CHECK(said(kPlace, name).empty());
+}
