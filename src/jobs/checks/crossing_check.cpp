@@ -6,6 +6,7 @@
 #include "geometry/mesh_triangle.h"
 #include "geometry/triangle_tree.h"
 #include "jobs/checks/result_check.h"
+#include "jobs/parts/part_places.h"
 #include "measure/self_intersections.h"
 #include "mesh/joining.h"
 #include "mesh/submesh.h"
@@ -143,7 +144,8 @@ MadeCrossings crossingsMade(const PartPairs& parts, const std::vector<std::vecto
 
 std::vector<Warning> warningsOf(const MadeCrossings& made, const std::vector<io::Part>& result) {
   if (made.count == 0) return {};
-  const Vec3& place = result[made.part].mesh.positions[made.vertex];
+  const io::Part& part = result[made.part];
+  const Vec3 place = inWorldOf(part, part.mesh.positions[made.vertex]);
   return {{"SELF_INTERSECTIONS_MADE",
            "Triangles of the result intersect others where the input's do not, for example near (" +
                placeInWords(place, result) + ").",

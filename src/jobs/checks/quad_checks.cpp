@@ -14,6 +14,7 @@
 #include "geometry/triangle_tree.h"
 #include "io/model/faces.h"
 #include "jobs/checks/result_check.h"
+#include "jobs/parts/part_places.h"
 #include "mesh/welding.h"
 
 namespace remesher {
@@ -85,7 +86,7 @@ std::vector<Warning> bordersOffGiven(const std::vector<io::Part>& given,
     const OffBorder off = offBorder(given[i].mesh, result[i].mesh);
     all.corners += off.corners;
     all.closed += off.closed;
-    if (!all.first) all.first = off.first;
+    if (!all.first && off.first) all.first = inWorldOf(given[i], *off.first);
   }
   if (!all.first) return {};
   std::string text;
@@ -114,7 +115,7 @@ std::vector<Warning> lostToQuads(const std::vector<io::Part>& given,
       if (!(distance > farthest * side)) continue;
       farthest = distance / side;
       percent = 100 * distance / extentOf(from).diagonal();
-      where = p;
+      where = inWorldOf(given[i], p);
     }
   }
   if (!where) return {};
@@ -141,7 +142,8 @@ std::vector<Warning> turnedFromGiven(const std::vector<io::Part>& given,
         corners[k] = mesh.positions[mesh.indices[faces.place(q, k)]];
       if (!facing.isAway(corners)) continue;
       ++count;
-      if (!first) first = (corners[0] + corners[1] + corners[2] + corners[3]) / 4;
+      const Vec3 middle = (corners[0] + corners[1] + corners[2] + corners[3]) / 4;
+      if (!first) first = inWorldOf(result[i], middle);
     }
   }
   if (!first) return {};

@@ -60,7 +60,7 @@ WorstTriangle worstTriangle(const std::vector<io::Part>& parts) {
     for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
       const auto [a, b, c] = cornersOf(mesh, t);
       const double angle = minAngle(shown(a), shown(b), shown(c));
-      if (angle < worst.angle) worst = {angle, (a + b + c) / 3};
+      if (angle < worst.angle) worst = {angle, inWorldOf(parts[n], (a + b + c) / 3)};
     }
   }
   return worst;
@@ -74,11 +74,15 @@ struct CoordinateRange {
   double largest() const { return std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff()); }
 };
 
-CoordinateRange rangeOf(const std::vector<io::Part>& parts) {
+// place: where a part is looked at.
+template <class Place>
+CoordinateRange rangeOf(const std::vector<io::Part>& parts, const Place& place) {
   CoordinateRange range;
   for (const io::Part& part : parts) {
     range.isSingle = range.isSingle || part.mesh.isSingle;
-    for (const Vec3& p : part.mesh.positions) {
+    const Transform there = place(part);
+    for (const Vec3& own : part.mesh.positions) {
+      const Vec3 p = there * own;
       range.low = range.low.cwiseMin(p);
       range.high = range.high.cwiseMax(p);
     }
@@ -86,9 +90,14 @@ CoordinateRange rangeOf(const std::vector<io::Part>& parts) {
   return range;
 }
 
+// Of the coordinates that are written.
+CoordinateRange writtenRange(const std::vector<io::Part>& parts) {
+  return rangeOf(parts, [](const io::Part&) { return Transform(Transform::Identity()); });
+}
+
 // The middle of all vertices, if their coordinates are too coarse for a shape so small.
 std::optional<Vec3> placeOfRounding(const std::vector<io::Part>& parts) {
-  const CoordinateRange range = rangeOf(parts);
+  const CoordinateRange range = writtenRange(parts);
   const double step = range.isSingle ? std::numeric_limits<float>::epsilon()
                                      : std::numeric_limits<double>::epsilon();
   if (range.size() < 0 || range.size() > kSteps * step * range.largest()) return {};
@@ -106,8 +115,9 @@ Warning withFirstEdge(Warning warning, const std::vector<io::Part>& parts,
       if (!middle && isWanted(edge.size())) middle = (at(edge[0]) + at(nextCorner(edge[0]))) / 2;
     });
     if (!middle) continue;
-    warning.at = middle;
-    warning.message.append(", the first near (").append(placeInWords(*middle, parts)).append(").");
+    warning.at = inWorldOf(part, *middle);
+    const std::string place = placeInWords(*warning.at, parts);
+    warning.message.append(", the first near (").append(place).append(").");
     return warning;
   }
   warning.message.append(".");
@@ -124,7 +134,7 @@ std::vector<Warning> pointsLeft(const MeshReport& report, const std::vector<io::
   for (const io::Part& part : parts) {
     const std::vector<Index> touching = touchingVertices(Welding(part.mesh));
     count += touching.size();
-    if (!first && !touching.empty()) first = part.mesh.positions[touching.front()];
+    if (!first && !touching.empty()) first = inWorldOf(part, part.mesh.positions[touching.front()]);
   }
   if (!first) return {};
   return {{"NON_MANIFOLD_VERTICES_LEFT",
@@ -158,7 +168,7 @@ std::size_t more(std::size_t after, std::size_t before) {
 }  // namespace
 
 std::string placeInWords(const Vec3& p, const std::vector<io::Part>& parts) {
-  const CoordinateRange range = rangeOf(parts);
+  const CoordinateRange range = rangeOf(parts, firstPlace);
   int digits = kDigits;
   for (double reach = range.size(); reach < range.largest() && digits < kMostDigits; reach *= 10)
     ++digits;

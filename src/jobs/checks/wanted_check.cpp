@@ -60,18 +60,18 @@ struct Tallies {
         longest(options.maxEdge.value_or(0)),
         angle(options.minAngle.value_or(0)) {}
 
-  void add(const TriangleMesh& mesh, const Eigen::Matrix3d& toWorld, const RemeshOptions& options);
+  void add(const TriangleMesh& mesh, const Transform& toWorld, const RemeshOptions& options);
   WantedReport report(const RemeshOptions& options) const;
 };
 
-void addEdges(const TriangleMesh& mesh, const Eigen::Matrix3d& toWorld, Tallies& tallies,
+void addEdges(const TriangleMesh& mesh, const Transform& toWorld, Tallies& tallies,
               const RemeshOptions& options) {
   const Welding welding(mesh);
   welding.forEachEdge([&](std::span<const Index> edge) {
     const Vec3& a = mesh.positions[welding.corners[edge[0]]];
     const Vec3& b = mesh.positions[welding.corners[nextCorner(edge[0])]];
-    const double length = (toWorld * (b - a)).norm();
-    const auto middle = [&] { return Vec3((a + b) / 2); };
+    const double length = (toWorld.linear() * (b - a)).norm();
+    const auto middle = [&] { return Vec3(toWorld * Vec3((a + b) / 2)); };
     if (options.minEdge)
       tallies.shortest.add(length, length >= *options.minEdge, length < tallies.shortest.worst(),
                            middle);
@@ -81,18 +81,17 @@ void addEdges(const TriangleMesh& mesh, const Eigen::Matrix3d& toWorld, Tallies&
   });
 }
 
-void addAngles(const TriangleMesh& mesh, const Eigen::Matrix3d& toWorld, Tally& tally,
-               double wanted) {
+void addAngles(const TriangleMesh& mesh, const Transform& toWorld, Tally& tally, double wanted) {
   for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
     const Triangle at = cornersOf(mesh, t);
-    const Vec3 b = toWorld * (at[1] - at[0]), c = toWorld * (at[2] - at[0]);
+    const Vec3 b = toWorld.linear() * (at[1] - at[0]), c = toWorld.linear() * (at[2] - at[0]);
     const double angle = degrees(minAngle(Vec3::Zero(), b, c));
     tally.add(angle, angle >= wanted, angle < tally.worst(),
-              [&] { return Vec3((at[0] + at[1] + at[2]) / 3); });
+              [&] { return Vec3(toWorld * Vec3((at[0] + at[1] + at[2]) / 3)); });
   }
 }
 
-void Tallies::add(const TriangleMesh& mesh, const Eigen::Matrix3d& toWorld,
+void Tallies::add(const TriangleMesh& mesh, const Transform& toWorld,
                   const RemeshOptions& options) {
   if (options.minEdge || options.maxEdge) addEdges(mesh, toWorld, *this, options);
   if (options.minAngle) addAngles(mesh, toWorld, angle, *options.minAngle);
@@ -177,7 +176,7 @@ void checkWanted(const RemeshOptions& options) {
 
 WantedReport wantedOf(const TriangleMesh& mesh, const RemeshOptions& options) {
   Tallies tallies(options);
-  tallies.add(mesh, Eigen::Matrix3d::Identity(), options);
+  tallies.add(mesh, Transform::Identity(), options);
   return tallies.report(options);
 }
 
@@ -187,7 +186,7 @@ std::optional<WantedReport> wantedOf(const std::vector<io::Part>& result,
   const std::vector<PartPlace> places = placesOf(result);
   Tallies tallies(options);
   for (std::size_t n = 0; n < result.size(); ++n)
-    if (result[n].finer.empty()) tallies.add(result[n].mesh, places[n].toWorld.linear(), options);
+    if (result[n].finer.empty()) tallies.add(result[n].mesh, places[n].toWorld, options);
   return tallies.report(options);
 }
 

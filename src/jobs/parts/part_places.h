@@ -22,6 +22,9 @@ struct PartPlace {
 // place is where it is.
 Transform firstPlace(const io::Part& part);
 
+// A place of the part, there.
+inline Vec3 inWorldOf(const io::Part& part, const Vec3& p) { return firstPlace(part) * p; }
+
 // The place where the file shows the part largest; the first if it shows it nowhere.
 Transform largestPlace(const io::Part& part);
 

@@ -41,6 +41,14 @@ TEST_CASE("result check: a place has as many digits as tell its parts, and no ro
   CHECK(placeInWords({500000.25, 1, 0}, parts) == "500000.25, 1, 0");
 }
 
+TEST_CASE("result check: places are the world's, in as many digits as tell them there") {
+  std::vector<io::Part> parts = kParts;
+  parts[0].instances = {Transform(Eigen::Translation3d(5e6, 0, 0))};
+  const std::vector<Warning> found = worseThanGiven({withAngles(3, 34), withAngles(3, 17)}, parts);
+  CHECK(found.front().at->x() > 5e6);
+  CHECK(found.front().message.find("(5000000.6") != std::string::npos);
+}
+
 TEST_CASE("result check: what is as good as before, or good, needs no word") {
   CHECK(codes(withAngles(3, 34), withAngles(3, 34)) == "");
   CHECK(codes(withAngles(58, 59), withAngles(30, 55)) == "");
