@@ -68,3 +68,34 @@ TEST_CASE("quad checks: a border that is not the one given is said, with the pla
   CHECK(closed[0].message.find("1 of its open loops are closed") != std::string::npos);
   CHECK(bordersOffGiven(part(opened), part(opened)).empty());
 }
+
+TEST_CASE("quad checks: what is said is the same of any size") {
+  const auto saidOf = [](double unit) {
+    const auto part = [&](TriangleMesh mesh) {
+      for (Vec3& p : mesh.positions) p *= unit;
+      return std::vector<io::Part>{io::Part{"", std::move(mesh), {}}};
+    };
+    TriangleMesh given = shapes::grid(8, 8), quads = given;
+    quads.isQuads = true;
+    given.positions[given.indices[90]].z() += 0.7;
+    std::swap(quads.indices[1], quads.indices[5]);
+    std::vector<Warning> all;
+    for (const auto check : {lostToQuads, turnedFromGiven, bordersOffGiven})
+      for (Warning& warning : check(part(given), part(quads))) {
+        *warning.at /= unit;
+        all.push_back(std::move(warning));
+      }
+    return all;
+  };
+  const std::vector<Warning> usual = saidOf(1);
+  CHECK(usual.size() == 2);
+  for (const double unit : {0x1p-80, 0x1p66, 0x1p300}) {
+    const std::vector<Warning> found = saidOf(unit);
+    REQUIRE(found.size() == usual.size());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      CHECK(found[i].code == usual[i].code);
+      CHECK(found[i].count == usual[i].count);
+      CHECK(found[i].at == usual[i].at);
+    }
+  }
+}
