@@ -68,8 +68,12 @@ async function openModel(item) {
 /** @param {string} text of an OBJ or of a library */
 function namesIn(text) {
   // trim() is separate: matching blanks at both ends would take time quadratic in their number.
-  const lines = text.matchAll(/^[ \t]*(?:mtllib|map_\w+|bump)[ \t](.*)$/gim);
-  return Array.from(lines, ([, words]) => words.trim().split(/\s+/).pop() ?? '');
+  const lines = text.matchAll(/^[ \t]*(mtllib|map_\w+|bump)[ \t](.*)$/gim);
+  return Array.from(lines).flatMap(([, keyword, rest]) => {
+    const words = rest.trim().split(/\s+/);
+    // one name with blanks, or several; an image stands behind options
+    return keyword === 'mtllib' ? [rest.trim(), ...words] : words.slice(-1);
+  });
 }
 
 /** The files named inside a model: buffers and images of a glTF, the libraries of an OBJ.

@@ -25,10 +25,15 @@ function trimmed(line) {
   return line.slice(begin, end);
 }
 
-/** @param {string} text of an OBJ @returns {string[]} */
+/**
+ * What stands behind mtllib is one name, which may have blanks, or several.
+ * @param {string} text of an OBJ @returns {string[]}
+ */
 function librariesIn(text) {
-  const references = text.matchAll(/^[ \t]*mtllib[ \t](.*)$/gm);
-  return Array.from(references, ([, rest]) => trimmed(rest)).filter(Boolean);
+  const references = Array.from(text.matchAll(/^[ \t]*mtllib[ \t](.*)$/gm),
+    ([, rest]) => trimmed(rest));
+  const names = references.flatMap((rest) => [rest, ...rest.split(/[ \t\v\f]+/)]);
+  return [...new Set(names)].filter(Boolean);
 }
 
 const portion = 2 ** 20;

@@ -36,7 +36,7 @@ struct ObjGroup {
 
 struct ObjSource : Source {
   std::vector<ObjGroup> groups;
-  std::vector<std::string> libraries;  // the operands of mtllib
+  std::vector<std::string> libraries;  // the names behind mtllib
   std::vector<File> libraryFiles;      // the libraries that were given
 };
 

@@ -377,17 +377,30 @@ void warnOfImages(const File& library, std::vector<Warning>& warnings) {
        images.size()});
 }
 
+// The operand of mtllib is one name, which may have blanks, or several.
+std::vector<std::string> libraryNames(const std::string& operand, const Resources& given) {
+  std::vector<std::string> words;
+  TextScanner scanner(operand, "");
+  for (scanner.nextLine(); !scanner.atLineEnd();) words.emplace_back(scanner.word());
+  const bool areGiven = !given.named(operand) &&
+                        std::any_of(words.begin(), words.end(),
+                                    [&](const auto& word) { return given.named(word) != nullptr; });
+  return areGiven ? words : std::vector<std::string>{operand};
+}
+
 void findLibraries(ObjSource& source, const std::vector<File>& resources,
                    std::vector<Warning>& warnings) {
   std::set<std::string> seen;
   const Resources given(resources);
-  for (const std::string& library : source.libraries) {
-    if (!seen.insert(library).second) continue;
-    const File* const found = given.named(library);
-    if (found != nullptr) {
-      source.libraryFiles.push_back(whole(*found));
-      warnOfImages(source.libraryFiles.back(), warnings);
-    } else {
+  for (const std::string& operand : std::exchange(source.libraries, {})) {
+    for (const std::string& library : libraryNames(operand, given)) {
+      if (!seen.insert(library).second) continue;
+      source.libraries.push_back(library);
+      if (const File* const found = given.named(library)) {
+        source.libraryFiles.push_back(whole(*found));
+        warnOfImages(source.libraryFiles.back(), warnings);
+        continue;
+      }
       warnings.push_back({"RESOURCE_NOT_GIVEN",
                           "The material library " + legible(library) +
                               " was not given: the result refers to it, but it is not passed on.",

@@ -145,6 +145,24 @@ TEST_CASE(
   CHECK(textOf(written.files[0]).find("mtllib m.mtl\n") == 0);
 }
 
+TEST_CASE("obj: mtllib has one name, with blanks if a file has that name, or several") {
+  const File obj = textFile("a.obj", "mtllib a.mtl  b.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const auto libraries = [&](const std::vector<std::string>& given) {
+    std::vector<File> files;
+    for (const std::string& name : given) files.push_back(textFile(name, "newmtl red\n"));
+    const io::Model model = io::read(obj, files);
+    const std::string text = textOf(io::write(model, "b.obj").files.at(0));
+    return std::pair(text.substr(0, text.find("v ")), model.warnings.size());
+  };
+  CHECK(libraries({"a.mtl", "b.mtl"}) ==
+        std::pair(std::string("mtllib a.mtl\nmtllib b.mtl\n"), std::size_t{0}));
+  CHECK(libraries({"b.mtl"}) ==
+        std::pair(std::string("mtllib a.mtl\nmtllib b.mtl\n"), std::size_t{1}));
+  CHECK(libraries({"a.mtl  b.mtl", "b.mtl"}) ==
+        std::pair(std::string("mtllib a.mtl  b.mtl\n"), std::size_t{0}));
+  CHECK(libraries({}) == std::pair(std::string("mtllib a.mtl  b.mtl\n"), std::size_t{1}));
+}
+
 TEST_CASE("obj, off: written exactly, floats are the same numbers to a reader of doubles") {
   io::Model model = io::read(textFile("test.obj", objSquare("f 1 2 3\nf 1 3 4\n")));
   TriangleMesh& mesh = model.parts[0].mesh;
