@@ -5,6 +5,7 @@
 
 #include "io/formats.h"
 #include "io/model/levels.h"
+#include "io/model/same_mesh.h"
 #include "jobs/baking.h"
 #include "jobs/checks/option_checks.h"
 #include "jobs/inspected_model.h"
@@ -185,6 +186,7 @@ ConvertFileResult convertFile(const FileBundle& input, const std::string& output
   io::Model model = io::read(input.file, input.resources);
   io::prepare(model, outputName);
   io::WrittenFiles written = io::write(model, outputName);
+  if (written.isUntouched) model.warnings = io::saidOfWhole(std::move(model.warnings));
   const std::vector<Warning> lost = joined(written.warnings, io::polygonsCut(model, written));
   return {std::move(written.files), joined(model.warnings, lost)};
 }

@@ -68,3 +68,32 @@ TEST_CASE("formats: an inspection speaks of no result") {
     CHECK(warnings[0].message.find("result") == std::string::npos);
   }
 }
+
+TEST_CASE("formats: where the file itself is the result, nothing of it is said to be lost") {
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 4\nproperty list uchar int vertex_indices\n"
+      "property uchar flags\nelement edge 1\nproperty int vertex1\nproperty int vertex2\n"
+      "end_header\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
+      "3 0 2 1 7\n3 0 1 3 7\n3 1 2 3 7\n3 2 0 3 7\n0 1\n";
+  const FileBundle file{textFile("a.ply", ply), {}};
+  RemeshOptions options;
+  options.repair = Repair::Auto;
+  const RemeshFileResult repaired = repairFile(file, "b.ply", options);
+  const ConvertFileResult converted = convertFile(file, "b.ply");
+  CHECK(textOf(repaired.files.at(0)) == ply);
+  CHECK(textOf(converted.files.at(0)) == ply);
+  CHECK(repaired.report.warnings.empty());
+  CHECK(converted.warnings.empty());
+  CHECK(convertFile(file, "b.obj").warnings.size() == 2);
+}
+
+TEST_CASE("formats: a repaired STL has its own number of facets") {
+  const std::string obj =
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+  std::string stl = textOf(convertFile({textFile("a.obj", obj), {}}, "a.stl").files.at(0));
+  stl[80] = 1;
+  RemeshOptions options;
+  options.repair = Repair::Auto;
+  CHECK(textOf(repairFile({textFile("a.stl", stl), {}}, "b.stl", options).files.at(0))[80] == 4);
+}
