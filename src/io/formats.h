@@ -43,7 +43,7 @@ bool canHold(const std::string& outputName, Holds what);
 void prepare(Model& model, const std::string& outputName);
 
 // In a format that holds no parts, those of a prepared model become one mesh, without groups, with
-// the attributes that all have, except normals and tangents.
+// their attributes, except normals and tangents.
 void unite(Model& model, const std::string& outputName);
 
 // The parts of a prepared model become one mesh in any format, with their attributes and materials.

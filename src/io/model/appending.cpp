@@ -30,7 +30,7 @@ void appendMesh(TriangleMesh& all, const TriangleMesh& more) {
     const Attribute* const own = findAttribute(more, attribute.semantic);
     const float otherwise = attribute.semantic.starts_with("COLOR_") ? 1.0F : 0.0F;
     const int width = std::max(attribute.itemSize, own ? own->itemSize : 0);
-    attribute.values = inWidth(attribute, width, otherwise);
+    if (attribute.itemSize != width) attribute.values = inWidth(attribute, width, otherwise);
     attribute.itemSize = width;
     attribute.values.resize(before * std::size_t(width), otherwise);
     if (own) {

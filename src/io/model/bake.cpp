@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "io/model/appending.h"
 #include "mesh/joining.h"
 
 namespace remesher::io {
@@ -20,12 +21,24 @@ void transformDirections(Attribute& attribute, const Eigen::Matrix3d& matrix) {
   }
 }
 
-const Attribute* find(const TriangleMesh& mesh, const Attribute& like) {
-  const auto found =
-      std::find_if(mesh.attributes.begin(), mesh.attributes.end(), [&](const Attribute& attribute) {
-        return attribute.semantic == like.semantic && attribute.itemSize == like.itemSize;
-      });
-  return found == mesh.attributes.end() ? nullptr : &*found;
+// A vertex without a normal gets the mean of those of its triangles, by area.
+void fillNormals(TriangleMesh& mesh) {
+  const auto normals =
+      std::find_if(mesh.attributes.begin(), mesh.attributes.end(),
+                   [](const Attribute& a) { return a.semantic == "NORMAL" && a.itemSize == 3; });
+  if (normals == mesh.attributes.end()) return;
+  std::vector<Vec3> sums(mesh.positions.size(), Vec3::Zero());
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    const Vec3& a = mesh.positions[mesh.indices[i]];
+    const Vec3 area =
+        (mesh.positions[mesh.indices[i + 1]] - a).cross(mesh.positions[mesh.indices[i + 2]] - a);
+    for (std::size_t k = 0; k < 3; ++k) sums[mesh.indices[i + k]] += area;
+  }
+  for (std::size_t v = 0; v < sums.size(); ++v) {
+    Eigen::Map<Eigen::Vector3f> normal(&normals->values[3 * v]);
+    const Vec3 mean = sums[v].stableNormalized();
+    if (normal.isZero(0) && mean.allFinite()) normal = mean.cast<float>();
+  }
 }
 
 // Whether the instance shows areas, not just lines or points.
@@ -108,29 +121,15 @@ std::vector<Part> bakeInstances(const Model& model) {
 TriangleMesh mergeParts(const std::vector<Part>& parts) {
   TriangleMesh merged;
   for (Index number = 0; number < parts.size(); ++number) {
-    const TriangleMesh& mesh = parts[number].mesh;
-    const auto offset = static_cast<Index>(merged.positions.size());
-    merged.positions.insert(merged.positions.end(), mesh.positions.begin(), mesh.positions.end());
-    for (const Index vertex : mesh.indices) merged.indices.push_back(vertex + offset);
-    merged.groups.resize(merged.groups.size() + mesh.triangleCount(), number);
+    appendMesh(merged, parts[number].mesh);
+    merged.groups.resize(merged.indices.size() / 3, number);
   }
   if (parts.empty()) return merged;
   merged.isQuads =
       std::all_of(parts.begin(), parts.end(), [](const Part& part) { return part.mesh.isQuads; });
   merged.isSingle =
       std::all_of(parts.begin(), parts.end(), [](const Part& part) { return part.mesh.isSingle; });
-  for (const Attribute& attribute : parts.front().mesh.attributes) {
-    Attribute joined{attribute.semantic, attribute.itemSize, {}};
-    const bool everywhere = std::all_of(parts.begin(), parts.end(), [&](const Part& part) {
-      return find(part.mesh, attribute) != nullptr;
-    });
-    if (!everywhere) continue;
-    for (const Part& part : parts) {
-      const std::vector<float>& values = find(part.mesh, attribute)->values;
-      joined.values.insert(joined.values.end(), values.begin(), values.end());
-    }
-    merged.attributes.push_back(std::move(joined));
-  }
+  fillNormals(merged);
   return merged;
 }
 

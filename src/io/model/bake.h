@@ -24,7 +24,7 @@ void makeBodies(Model& model);
 std::vector<Part> bakeInstances(const Model& model);
 
 // All parts as one mesh; a triangle's group is the number of its part. Attributes that some parts
-// lack are left out.
+// lack are filled in there, as appendMesh says, but normals by those of the triangles.
 TriangleMesh mergeParts(const std::vector<Part>& parts);
 
 }  // namespace remesher::io

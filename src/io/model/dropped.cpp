@@ -32,19 +32,23 @@ std::string kindOf(const std::string& semantic) {
 
 std::vector<Warning> droppedAttributes(const Model& model, const std::vector<std::string>& kept,
                                        const std::string& format) {
-  std::set<std::string> dropped;
-  for (const std::string& semantic : model.lost) dropped.insert(kindOf(semantic));
+  std::set<std::string> lost, dropped;
+  for (const std::string& semantic : model.lost) lost.insert(kindOf(semantic));
   for (const Part& part : model.parts)
     for (const Attribute& attribute : part.mesh.attributes)
       if (std::find(kept.begin(), kept.end(), attribute.semantic) == kept.end())
         dropped.insert(kindOf(attribute.semantic));
   const bool keepsMaterials = std::find(kept.begin(), kept.end(), kMaterial) != kept.end();
   if (groupsIn(model) == 1 && materialsIn(model) > 0 && !keepsMaterials) dropped.insert(kMaterial);
-  if (dropped.empty()) return {};
-  return {
-      {"ATTRIBUTE_NOT_CARRIED",
-       "The " + format + " has no place for " + legibleList({dropped.begin(), dropped.end()}) + ".",
-       dropped.size()}};
+  std::vector<Warning> warnings;
+  const auto warn = [&](const std::string& why, const std::set<std::string>& semantics) {
+    if (semantics.empty()) return;
+    const std::string list = legibleList({semantics.begin(), semantics.end()});
+    warnings.push_back({"ATTRIBUTE_NOT_CARRIED", why + list + ".", semantics.size()});
+  };
+  warn("The " + format + " has no place for ", dropped);
+  warn("Parts that become one surface do not keep their ", lost);
+  return warnings;
 }
 
 std::vector<Warning> mergedParts(const Model& model) {

@@ -32,3 +32,21 @@ TEST_CASE("bake: places that are one up to noise around zero are one in the worl
     CHECK(model.parts[1].mesh.positions == loose.positions);
   }
 }
+
+TEST_CASE("bake: attributes that one of the merged parts lacks are filled in there") {
+  TriangleMesh bare;
+  bare.positions = {{0, 0, 0}, {1, 0, 0}, {0, 2, 0}};
+  bare.indices = {0, 1, 2};
+  TriangleMesh full = bare;
+  full.attributes = {{"NORMAL", 3, {1, 0, 0, 1, 0, 0, 1, 0, 0}},
+                     {"TEXCOORD_0", 2, {1, 2, 3, 4, 5, 6}},
+                     {"COLOR_0", 3, {0, 0, 0, 0, 0, 0, 0, 0, 0}}};
+  const TriangleMesh merged = io::mergeParts({{"", bare, {}}, {"", full, {}}});
+  CHECK(merged.groups == std::vector<Index>{0, 1});
+  const auto values = [&](const char* semantic) { return findAttribute(merged, semantic)->values; };
+  CHECK(values("NORMAL") ==
+        std::vector<float>{0, 0, 1, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 1, 0, 0});
+  CHECK(values("TEXCOORD_0") == std::vector<float>{0, 0, 0, 0, 0, 0, 1, 2, 3, 4, 5, 6});
+  CHECK(values("COLOR_0") ==
+        std::vector<float>{1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0});
+}
