@@ -49,6 +49,7 @@ set(linear
   src/geometry/triangle_meeting.cpp
   src/io/text/text_blocks.cpp
   src/io/text/text_scanner.cpp
+  src/measure/facing.cpp
   src/measure/hausdorff.cpp
   src/measure/self_intersections.cpp
   src/mesh/mesh_builder.cpp
@@ -202,7 +203,6 @@ set(small
   src/jobs/scene_run.cpp
   src/measure/distance_bound.cpp
   src/measure/edge_report.cpp
-  src/measure/facing.cpp
   src/measure/mesh_report.cpp
   src/measure/quad_report.cpp
   src/measure/salient_vertices.cpp

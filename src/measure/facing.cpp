@@ -7,7 +7,7 @@
 
 namespace remesher {
 
-Facing facingOf(const TriangleMesh& mesh) {
+Facing facingOf(const TriangleMesh& mesh, Moments wanted) {
   Facing facing;
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
     const Vec3 n = areaVector(mesh.positions[mesh.indices[i]], mesh.positions[mesh.indices[i + 1]],
@@ -15,7 +15,7 @@ Facing facingOf(const TriangleMesh& mesh) {
     const double twice = n.norm();
     if (!(twice > 0) || !std::isfinite(twice)) continue;
     facing.area += twice / 2;
-    facing.moments += n * n.transpose() / (2 * twice);
+    if (wanted == Moments::All) facing.moments += n * n.transpose() / (2 * twice);
   }
   return facing;
 }

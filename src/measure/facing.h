@@ -12,6 +12,9 @@ struct Facing {
   Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
 };
 
-Facing facingOf(const TriangleMesh& mesh);
+// The moments take several times as long as the area.
+enum class Moments : char { None, All };
+
+Facing facingOf(const TriangleMesh& mesh, Moments wanted);
 
 }  // namespace remesher

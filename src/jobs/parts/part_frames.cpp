@@ -147,6 +147,7 @@ PartFrames::PartFrames(const std::vector<io::Part>& parts, FrameRounding roundin
   if (isWorld || parts.size() == 1) common_ = commonFrame(parts, axes);
   if (common_ && !common_->isInSteps && rounding == FrameRounding::None) common_.reset();
   if (common_ && !common_->isInSteps) noteRounded(parts);
+  isWorldCommon_ = isWorld && common_;
   HalfBox world;
   bool isWorldMoved = false;
   for (const io::Part& part : parts) {
@@ -159,11 +160,10 @@ PartFrames::PartFrames(const std::vector<io::Part>& parts, FrameRounding roundin
     const auto inWorld = [&](const Vec3& p) {
       return part.instances.empty() ? p : Vec3(part.instances.front() * p);
     };
-    world.extend(halfBox(part.mesh, inWorld));
+    if (!isWorldCommon_) world.extend(halfBox(part.mesh, inWorld));
     isWorldMoved = isWorldMoved || !origin.isZero(0) ||
                    (!part.instances.empty() && isMoved(part.instances.front()));
   }
-  isWorldCommon_ = isWorld && common_;
   if (isWorldCommon_) {
     world_ = common_->frame;
     return;

@@ -25,8 +25,9 @@ double worldDiagonal(const std::vector<io::Part>& parts) {
     if (!part.finer.empty()) continue;
     const bool isPlaced = !part.instances.empty();
     const Transform place = largestPlace(part);
+    std::vector<char> isSeen(part.mesh.positions.size(), 0);
     for (const Index v : part.mesh.indices) {
-      if (v >= part.mesh.positions.size()) continue;
+      if (v >= isSeen.size() || std::exchange(isSeen[v], 1)) continue;
       const Vec3& p = part.mesh.positions[v];
       box.extend(isPlaced ? Vec3(place * p) : p);
     }

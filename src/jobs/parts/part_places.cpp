@@ -92,7 +92,7 @@ Transform largestPlace(const io::Part& part) {
   if (part.instances.size() < 2 ||
       std::any_of(part.mesh.indices.begin(), part.mesh.indices.end(), isOutside))
     return firstPlace(part);
-  const PartPlace place = placeOf(part, facingOf(part.mesh));
+  const PartPlace place = placeOf(part, facingOf(part.mesh, Moments::All));
   return place.area > 0 ? place.toWorld : firstPlace(part);
 }
 
@@ -111,7 +111,7 @@ std::vector<PartPlace> placesOf(const std::vector<io::Part>& parts) {
   std::vector<double> own;
   double shown = 0, bare = 0;
   for (const io::Part& part : parts) {
-    const Facing faces = facingOf(part.mesh);
+    const Facing faces = facingOf(part.mesh, part.instances.empty() ? Moments::None : Moments::All);
     places.push_back(placeOf(part, faces));
     own.push_back(faces.area);
     if (places.back().area > 0) {
