@@ -276,22 +276,47 @@ RoundedMesh inSoundPrecisionOf(const TriangleMesh& original, RemeshOutcome& outc
   return {original, 0};
 }
 
+namespace {
+
+// The faults of a part in its frame, with places in the world.
+FaultReport faultsIn(const PartFrames& frame, const io::Part& part) {
+  FaultReport faults = faultsOf(part.mesh);
+  for (std::vector<Vec3>* places : {&faults.places.openLoops, &faults.places.selfIntersections,
+                                    &faults.places.innerShells, &faults.places.insideOut})
+    *places = inWorld(*places, part, frame);
+  return faults;
+}
+
+}  // namespace
+
 FaultReport faultsOf(const std::vector<io::Part>& parts) {
-  const PartFrames scale(parts);
+  const PartFrames scale(parts), exact(parts, FrameRounding::None);
+  const auto applied = [&](const PartFrames& frame) {
+    return frame.isNeeded() ? frame.applied(parts) : parts;
+  };
+  const std::vector<io::Part> scaled = applied(scale);
   FaultReport sum;
-  for (const io::Part& part : scale.isNeeded() ? scale.applied(parts) : parts) {
-    const FaultReport faults = faultsOf(part.mesh);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    FaultReport faults = faultsIn(scale, scaled[i]);
+    // Roundings of the frame, in which repair decides, may make thin parts intersect.
+    if (faults.selfIntersections > 0)
+      if (const io::Part part = applied(exact)[i];
+          selfIntersections(part.mesh).size() != faults.selfIntersections) {
+        FaultReport own = faultsIn(exact, part);
+        own.repair = faults.repair, own.needs = faults.needs;
+        faults = std::move(own);
+      }
     sum.openLoops.insert(sum.openLoops.end(), faults.openLoops.begin(), faults.openLoops.end());
-    addPlaces(sum.places.openLoops, inWorld(faults.places.openLoops, part, scale));
+    addPlaces(sum.places.openLoops, faults.places.openLoops);
     sum.selfIntersections += faults.selfIntersections;
     sum.innerShells += faults.innerShells;
     sum.insideOut += faults.insideOut;
     sum.repair = std::max(sum.repair, faults.repair);
     sum.needs.bytes = std::max(sum.needs.bytes, faults.needs.bytes);
     sum.needs.seconds += faults.needs.seconds;
-    addPlaces(sum.places.selfIntersections, inWorld(faults.places.selfIntersections, part, scale));
-    addPlaces(sum.places.innerShells, inWorld(faults.places.innerShells, part, scale));
-    addPlaces(sum.places.insideOut, inWorld(faults.places.insideOut, part, scale));
+    addPlaces(sum.places.selfIntersections, faults.places.selfIntersections);
+    addPlaces(sum.places.innerShells, faults.places.innerShells);
+    addPlaces(sum.places.insideOut, faults.places.insideOut);
   }
   return withLongestFirst(std::move(sum));
 }

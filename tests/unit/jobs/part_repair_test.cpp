@@ -164,6 +164,15 @@ TEST_CASE("part repair: a thickness that rounding makes is joined before repair,
   CHECK(selfIntersections(parts.front().mesh).empty());
 }
 
+TEST_CASE("part repair: a part thinner than the frame's roundings intersects as it is given") {
+  for (const double thin : {1e-7, 1e-15, 1e-17}) {
+    TriangleMesh mesh = shapes::icosphere(6);
+    for (Vec3& p : mesh.positions) p = Vec3(1e-7 * p.x(), p.y() + 0.3, thin * p.z());
+    const FaultReport faults = faultsOf(std::vector<io::Part>{{"", mesh, {Transform::Identity()}}});
+    CHECK(faults.selfIntersections == selfIntersections(mesh).size());
+  }
+}
+
 TEST_CASE("part repair: parts that meet stay parts, which is said; in one solid they are united") {
   RemeshOptions options;
   options.repair = Repair::Auto;
