@@ -15,6 +15,8 @@ namespace {
 
 // A change from no colour to full colour counts as a hundredth of the model's size.
 constexpr double kAll = 0.01;
+// A shift of a texture along the surface counts as so much of a distance away from it.
+constexpr double kAlong = 0.25;
 // What moves only in other poses and shapes counts as so much of a distance at rest.
 constexpr double kOfDistance = 0.1;
 
@@ -49,7 +51,7 @@ double lengthOf(const TriangleMesh& input, const Attribute& attribute) {
   if (attribute.semantic == "WEIGHTS_0" && BentSkin::has(input)) return 0;
   if (startsWith(attribute, "TARGET_"))
     return attribute.semantic.ends_with("/POSITION") ? kOfDistance : 0;
-  if (startsWith(attribute, "TEXCOORD")) return texelLength(input, attribute);
+  if (startsWith(attribute, "TEXCOORD")) return kAlong * texelLength(input, attribute);
   return kAll * diagonalOf(input);
 }
 
