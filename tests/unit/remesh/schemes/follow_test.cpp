@@ -368,3 +368,20 @@ TEST_CASE("follow: a colour on each cell of a body does not cost its shape") {
   options.tooFew = TooFew::Raise;
   CHECK(remeshSurface(coloured, options, {}).vertices == own / 3);
 }
+
+TEST_CASE("follow: a texture that is drawn unevenly hardly costs the shape") {
+  TriangleMesh sheet = shapes::grid(40, 40);
+  Attribute even{"TEXCOORD_0", 2, {}}, uneven = even;
+  for (Vec3& p : sheet.positions) {
+    const double u = p.x() / 40, v = p.y() / 40;
+    p = {u, v, 0.1 * std::sin(9 * u) * std::cos(7 * v)};
+    even.values.insert(even.values.end(), {float(u), float(v)});
+    uneven.values.insert(uneven.values.end(), {float(u * u * u), float(v * v)});
+  }
+  const auto away = [&](const Attribute& texcoords) {
+    TriangleMesh input = sheet;
+    input.attributes = {texcoords};
+    return follow(buildMesh(input), input, 300, {Textures::Keep}).value().away;
+  };
+  CHECK(away(uneven).rms < 1.15 * away(even).rms);
+}
