@@ -131,7 +131,7 @@ test('a surface of few seams keeps its textures unless it is reduced much', () =
   assert.ok(!isWorthBaking(tree(hardlyAny, [{}]), 600));
   assert.ok(isWorthBaking(tree(hardlyAny, [{}]), 300));
   const blended = tree(few, [{}], { alphaMode: 'BLEND' });
-  assert.ok(isWorthBaking(blended, 1500), 'baking keeps the order in which triangles are drawn best');
+  assert.ok(isWorthBaking(blended, 1500), 'baking shows the drawing order best');
   assert.ok(!isWorthBaking(blended, 5000));
   assert.ok(isWorthBaking(tree(many, [{}]), 3000), 'seams would take most vertices');
   assert.ok(isWorthBaking(tree(few, []), 1500), 'there are no texels to keep');

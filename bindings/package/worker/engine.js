@@ -8,7 +8,9 @@ import { RemeshError } from '../base/errors.js';
 import { legible } from '../base/legible.js';
 import { inModelUnits, unitOf } from '../base/lengths.js';
 import { blocksOfPieces } from '../base/pieces.js';
-import { withoutPresetBaking, withoutPresetCompression } from '../base/presets.js';
+import {
+  compressionOf, namesGltf, withoutVainBaking, withPresetSettled,
+} from './preset_job.js';
 
 /** @typedef {import('../base/messages.js').FileRequest} FileRequest */
 /** @typedef {import('../base/messages.js').Job} Job */
@@ -268,49 +270,7 @@ function modelOf([a, b]) {
   };
 }
 
-/** @typedef {Extract<Job, { kind: 'remeshFile' | 'repairFile' }>} FileJob */
-
-const namesGltf = (/** @type {string} */ name) => /\.gl(b|tf)$/i.test(name);
-
-/** Whether there can be materials to bake from, and a file that holds what is baked.
- * @param {Job} job */
-const canBake = (job) => job.kind === 'remeshFile' && namesGltf(job.file.output)
-  && (isGltf(job.file.bytes) || job.file.resources.some(({ name }) => /\.mtl$/i.test(name)));
-
-/** The job without the baking that a preset stands for, if nothing can be baked or new textures
- * would be worse than the model's own, and without compression if the file came without.
- * @param {Job} given @param {string | undefined} compress @returns {Promise<Job>} */
-async function withPresetSettled(given, compress) {
-  if (!('options' in given) || !given.options.preset) return given;
-  const job = compress ? given
-    : /** @type {typeof given} */ ({ ...given, options: withoutPresetCompression(given.options) });
-  if (canBake(job)) {
-    const { bytes } = /** @type {FileJob} */ (job).file;
-    const { isFileWorthBaking } = await import('../codecs/given_gltf.js');
-    if (!isGltf(bytes) || isFileWorthBaking(bytes, Number(job.options.faces ?? 0))) return job;
-  }
-  return { ...job, options: withoutPresetBaking(job.options) };
-}
-
-/** The job without the baking that a preset stands for, if its outcome has shown that it added
- * nothing; undefined if it did. @param {Job} job as it was run @param {any} outcome
- * @returns {Promise<Job | undefined>} */
-async function withoutVainBaking(job, { report }) {
-  if (job.kind !== 'remeshFile' || !isGltf(job.file.bytes)) return undefined;
-  const options = withoutPresetBaking(job.options);
-  if (options === job.options) return undefined;
-  const { wasFileBakedInVain } = await import('../codecs/given_gltf.js');
-  return wasFileBakedInVain(job.file.bytes, report.fidelity) ? { ...job, options } : undefined;
-}
-
-/** How the result's glTF is to be compressed: as it came, if that was asked for.
- * @param {Job} job as it was given @returns {Promise<'meshopt' | 'draco' | undefined>} */
-async function compressionOf(job) {
-  const asked = 'options' in job ? job.options?.compress : undefined;
-  if (asked !== 'auto') return /** @type {'meshopt' | 'draco' | undefined} */ (asked);
-  if (!('file' in job) || !namesGltf(job.file.output) || !isGltf(job.file.bytes)) return undefined;
-  return (await import('../codecs/given_gltf.js')).compressionIn(job.file.bytes);
-}
+/** @typedef {import('./preset_job.js').FileJob} FileJob */
 
 /** Refuses slabs of arrays. @param {Job} job */
 function requireFileForSlabs(job) {
