@@ -11,6 +11,7 @@ import { blocksOfPieces } from '../base/pieces.js';
 import {
   compressionOf, namesGltf, withoutVainBaking, withPresetSettled,
 } from './preset_job.js';
+import { toTheEnd } from './whole_progress.js';
 
 /** @typedef {import('../base/messages.js').FileRequest} FileRequest */
 /** @typedef {import('../base/messages.js').Job} Job */
@@ -114,25 +115,6 @@ async function allOf(name, blob) {
     throw new RemeshError('INPUT_UNREADABLE', `${legible(name)} cannot be read.`,
       'Is the file still there, unchanged?', { cause });
   }
-}
-
-/**
- * A listener to the progress of a run, which tells at the end that all is done.
- * @param {((event: ProgressEvent) => boolean | void) | undefined} onProgress
- */
-function toTheEnd(onProgress) {
-  /** @type {ProgressEvent | undefined} */
-  let last;
-  /** @param {ProgressEvent} event */
-  const listen = (event) => {
-    last = event;
-    return onProgress?.(event);
-  };
-  const end = () => {
-    if (!last || last.fraction >= 1 || listen({ ...last, fraction: 1 }) !== false) return;
-    throw new RemeshError('CANCELLED', 'The run was cancelled.');
-  };
-  return { listen: onProgress && listen, end };
 }
 
 /** Called with the progress of a run; returns false to cancel it.
