@@ -171,6 +171,7 @@ add_executable(unit_tests
   tests/unit/remesh/operators/working_mesh_test.cpp
   tests/unit/remesh/quads/base_meshes_test.cpp
   tests/unit/remesh/quads/counting_test.cpp
+  tests/unit/remesh/quads/extract/closing_test.cpp
   tests/unit/remesh/quads/extract/extraction_test.cpp
   tests/unit/remesh/quads/extract/holes_test.cpp
   tests/unit/remesh/quads/extract/opening_test.cpp

@@ -390,7 +390,8 @@ QuadMesh mapToQuads(const WorkingMesh& part, double vertices, SizeMaker& sizesOn
   const double side = std::sqrt(areaOf(part) / vertices), small = 4.5 * side;
   Index faces = 0;
   for (const double most : {small, 2 * small}) {
-    const Simpler simpler = withoutSmall(part, side, most);
+    Simpler simpler = withoutSmall(part, side, most);
+    if (wishes.mirrors.planes.empty()) smoothBorders(simpler.mesh, side);
     const auto now = Index(simpler.mesh.mesh().faceCount());
     if (now == faces) break;
     faces = now;

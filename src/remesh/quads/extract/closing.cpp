@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
+#include <utility>
 
 #include "mesh/topology.h"
 #include "remesh/quads/extract/short_cycles.h"
@@ -153,6 +155,36 @@ Simpler withoutSmall(const WorkingMesh& mesh, double side, double most) {
     simpler.mesh = closing.run();
   }
   return simpler;
+}
+
+void smoothBorders(WorkingMesh& mesh, double side) {
+  constexpr int kPasses = 2;
+  constexpr double kFarthest = 0.15, kSquaredCosine = 0.5;
+  const VertexData<Vec3> first = mesh.positions();
+  const std::vector<Loop> loops = boundaryLoops(mesh.mesh());
+  for (int pass = 0; pass < kPasses; ++pass)
+    for (const Loop& loop : loops) {
+      std::set<Index> rough;
+      std::vector<std::pair<Vertex, Vec3>> moves;
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        const Halfedge h = loop[i], before = loop[(i + loop.size() - 1) % loop.size()];
+        const Vertex v = mesh.mesh().origin(h);
+        if (mesh.kind(v) != VertexKind::Curve) continue;
+        const Vec3& here = mesh.position(v);
+        const Vec3 in = here - mesh.position(mesh.mesh().origin(before));
+        const Vec3 out = mesh.position(mesh.mesh().tip(h)) - here;
+        const double along = std::max(0.0, in.dot(out));
+        if (along * along < kSquaredCosine * in.squaredNorm() * out.squaredNorm())
+          rough.insert(mesh.on(v).chain);
+        moves.emplace_back(v, here + (out - in) / 4 - first[v]);
+      }
+      for (const auto& [v, move] : moves) {
+        if (!rough.contains(mesh.on(v).chain)) continue;
+        Placement place = mesh.placement(v);
+        place.position = first[v] + std::min(1.0, kFarthest * side / move.norm()) * move;
+        mesh.move(v, place);
+      }
+    }
 }
 
 }  // namespace remesher

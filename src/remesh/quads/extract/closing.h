@@ -31,4 +31,9 @@ inline bool isWithinQuad(double length, double side) { return length < 2 * side;
 // close something follow the others.
 Simpler withoutSmall(const WorkingMesh& mesh, double side, double most);
 
+// Borders of scans zigzag by less than a side, and a map would have a corner, and a row of quads,
+// at each turn. So those that turn by more than 45° between their corners are smoothed, by a small
+// part of a side at most.
+void smoothBorders(WorkingMesh& mesh, double side);
+
 }  // namespace remesher
