@@ -164,6 +164,14 @@ test('faults are said in words', async () => {
   assert.match(words, /what would repair it: holes.*; it takes about \d+ MB and [\d.]+ s/);
 });
 
+test('places have the digits that tell them, and widths the unit', async () => {
+  const far = { ...open, positions: Float64Array.from(open.positions, (x) => 5e6 + x) };
+  const words = reportInWords(await inspect(far, { faults: true }));
+  assert.match(words, /open loop.*, the first near \((?:-?\d{7}\.\d+, ){2}-?\d{7}\.\d+\)/);
+  const { report } = await repair(open);
+  assert.match(reportInWords({ ...report, unit: 'cm' }), /\(the widest [\d.]+ cm across, near/);
+});
+
 test('what a repair takes is said before it begins, and too much is refused', async () => {
   const [holes, solid] = await Promise.all([open, joined(whole, whole, 0.9)]
     .map(async (mesh) => (await inspect(mesh, { faults: true })).faults.needs));

@@ -111,25 +111,40 @@ const reasons = {
   open: 'remade as a lattice surface around the input, which encloses nothing clearly',
 };
 
-/** `, the first near (0.5, 2, 1)` @param {number[]} places */
-const firstOf = (places) => (places.length === 0 ? ''
-  : `, the first near (${places.slice(0, 3).map((x) => Number(x.toPrecision(4))).join(', ')})`);
+/** @typedef {{ diagonal: number, unit?: string }} Model its size, and the unit of its lengths */
 
-/** @param {import('../base/messages.js').RepairSummary} repair */
-function lossInWords({ lost, lostBeyond, lostAt }) {
-  const share = `  ${lost.toFixed(2)} % of the area `;
-  return lostBeyond > 0 ? `${share}seen from outside is farther from the result than `
-    + `${lostBeyond.toFixed(3)} % of the diagonal${firstOf(lostAt)}` : `${share}lost`;
+/** `(0.5, 2, 1)`, with more digits where the model is small beside its distance from the origin.
+ * @param {number[]} place @param {Model} model */
+function placeInWords(place, { diagonal }) {
+  const farthest = Math.max(...place.map(Math.abs));
+  const more = farthest > diagonal && diagonal > 0 ? Math.ceil(Math.log10(farthest / diagonal)) : 0;
+  return `(${place.map((x) => Number(x.toPrecision(Math.min(4 + more, 17)))).join(', ')})`;
 }
 
-/** ` (the widest 2.5 across)` @param {import('../base/messages.js').SizedPlace[]} places */
-const widest = (places) => (places.length === 0 ? ''
-  : ` (the widest ${Number(places[0].across.toPrecision(3))} across, near `
-    + `(${places[0].at.map((x) => Number(x.toPrecision(4))).join(', ')}))`);
+/** `, the first near (0.5, 2, 1)` @param {number[]} places @param {Model} model */
+const firstOf = (places, model) => (places.length === 0 ? ''
+  : `, the first near ${placeInWords(places.slice(0, 3), model)}`);
 
-/** @param {import('../base/messages.js').DropSummary} dropped */
-function dropInWords({ pieces, hidden, lost, piecesAt }) {
-  return `left out: ${counted(pieces, 'piece')}${widest(piecesAt)}, `
+/** @param {import('../base/messages.js').RepairSummary} repair @param {Model} model */
+function lossInWords({ lost, lostBeyond, lostAt }, model) {
+  const share = `  ${lost.toFixed(2)} % of the area `;
+  return lostBeyond > 0 ? `${share}seen from outside is farther from the result than `
+    + `${lostBeyond.toFixed(3)} % of the diagonal${firstOf(lostAt, model)}` : `${share}lost`;
+}
+
+/** ` (the widest 2.5 mm across, near (1, 2, 3))`
+ * @param {import('../base/messages.js').SizedPlace[]} places @param {Model} model */
+function widest(places, model) {
+  if (places.length === 0) return '';
+  const [{ at, across }] = places;
+  const width = model.unit === undefined ? String(Number(across.toPrecision(3)))
+    : lengthInWords(across, model.unit, model.diagonal);
+  return ` (the widest ${width} across, near ${placeInWords(at, model)})`;
+}
+
+/** @param {import('../base/messages.js').DropSummary} dropped @param {Model} model */
+function dropInWords({ pieces, hidden, lost, piecesAt }, model) {
+  return `left out: ${counted(pieces, 'piece')}${widest(piecesAt, model)}, `
     + `${counted(hidden, 'hidden triangle')}; ${lost.toFixed(2)} % of the area`;
 }
 
@@ -137,18 +152,19 @@ function dropInWords({ pieces, hidden, lost, piecesAt }) {
 const touching = (edges) => (edges === 0 ? ''
   : `: bodies that touch along ${counted(edges, 'edge')} stay as they are`);
 
-/** @param {import('../base/messages.js').RepairSummary} repair @param {number} nonManifold */
-function repairInWords(repair, nonManifold) {
+/** @param {import('../base/messages.js').RepairSummary} repair @param {number} nonManifold
+ * @param {Model} model */
+function repairInWords(repair, nonManifold, model) {
   const { mode, reason, holes, rims, bodies, islands, shells, turned, selfIntersections } = repair;
   const [before, after] = selfIntersections;
   if (reason === 'sound') return `repair: ${reasons.sound}${touching(nonManifold)}`;
   return `repair (${mode}, ${reasons[reason]}):\n`
-    + `  ${counted(holes, 'hole')} closed${widest(repair.closedAt)}, `
+    + `  ${counted(holes, 'hole')} closed${widest(repair.closedAt, model)}, `
     + `${counted(islands, 'island')} and `
     + `${counted(shells, 'hidden piece')} removed, ${counted(turned, 'triangle')} turned over\n`
-    + (rims > 0 ? `  ${counted(rims, 'rim')} left open${widest(repair.rimsAt)}\n` : '')
+    + (rims > 0 ? `  ${counted(rims, 'rim')} left open${widest(repair.rimsAt, model)}\n` : '')
     + (bodies > 0 ? `  ${counted(bodies, 'sheet')} made a closed body\n` : '')
-    + `${lossInWords(repair)}\n`
+    + `${lossInWords(repair, model)}\n`
     + `  self-intersecting triangles: ${before} before, ${after} after`;
 }
 
@@ -187,11 +203,11 @@ function faultsInWords(report) {
   const loops = openLoops.length === 0 ? '' : `, in length ${lengths}`
     + `${openLoops.length > most ? ', …' : ''} of the diagonal`;
   return [
-    `faults: ${counted(openLoops.length, 'open loop')}${loops}${firstOf(places.openLoops)}`,
+    `faults: ${counted(openLoops.length, 'open loop')}${loops}${firstOf(places.openLoops, report)}`,
     `  triangles that intersect others of their part ${selfIntersections}`
-      + firstOf(places.selfIntersections),
-    `  inner shells ${innerShells}${firstOf(places.innerShells)}`,
-    `  bodies inside out ${insideOut}${firstOf(places.insideOut)}`,
+      + firstOf(places.selfIntersections, report),
+    `  inner shells ${innerShells}${firstOf(places.innerShells, report)}`,
+    `  bodies inside out ${insideOut}${firstOf(places.insideOut, report)}`,
     `  ${cureInWords(report)}${repair === 'off' ? '' : needsInWords(needs)}`,
   ].join('\n');
 }
@@ -301,8 +317,10 @@ export function reportInWords(report) {
   if (report.preset) parts.push(presetInWords(report.preset));
   if (report.input) parts.push(meshInWords('input', report.input, report), sizeOfBox(report));
   if (report.faults) parts.push(faultsInWords(report));
-  if (report.dropped) parts.push(dropInWords(report.dropped));
-  if (report.repair) parts.push(repairInWords(report.repair, report.input.nonManifoldEdges));
+  if (report.dropped) parts.push(dropInWords(report.dropped, report));
+  if (report.repair) {
+    parts.push(repairInWords(report.repair, report.input.nonManifoldEdges, report));
+  }
   if (report.boolean) parts.push(booleanInWords(report.boolean));
   if (report.atlas) parts.push(atlasInWords(report.atlas));
   if (report.output) parts.push(meshInWords('output', report.output, report));
