@@ -7,7 +7,7 @@ import {
 import { basename, join, relative } from 'node:path';
 import { gzipSync } from 'node:zlib';
 
-import { optionDeclarations, withPlainImports } from './declarations.js';
+import { optionDeclarations, withPlainImports, withPlainTypes } from './declarations.js';
 import { root, run, say } from './say.js';
 import { Stamp } from './stamp.js';
 
@@ -87,7 +87,7 @@ async function emitDeclarations() {
     ['node_modules/typescript-7/bin/tsc', '-p', 'bindings/tsconfig.json']);
   for (const file of filesIn('dist').filter((name) => name.endsWith('.d.ts'))) {
     const path = join(root, file);
-    writeFileSync(path, withPlainImports(readFileSync(path, 'utf8')));
+    writeFileSync(path, withPlainTypes(withPlainImports(readFileSync(path, 'utf8'))));
   }
 }
 

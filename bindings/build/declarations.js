@@ -54,7 +54,7 @@ export function optionDeclarations() {
     '  /**',
     ...documentationOf(option).map((line) => `   * ${line}`.trimEnd()),
     '   */',
-    `  ${option.name}?: ${typeOf(option)};`,
+    `  ${option.name}?: ${typeOf(option)} | undefined;`,
   ].join('\n'));
   return [
     '// SPDX-License-Identifier: MIT',
@@ -78,6 +78,27 @@ export function optionDeclarations() {
 export function withPlainImports(text) {
   return text.replace(/^export type (\w+) = import\((['"].+['"])\)\.\1;$/gm,
     'import type { $1 } from $2;\nexport type { $1 };');
+}
+
+/** What only the library of browsers declares, in words of every library. */
+const ofBrowsers = Object.entries({ BufferSource: 'ArrayBuffer | ArrayBufferView',
+  'WebAssembly.Module': 'object', Worker: 'object' });
+
+/**
+ * Programs without the library of browsers can be compiled with these declarations, and under
+ * `exactOptionalPropertyTypes` an option may be undefined, as it may when the program runs.
+ * @param {string} text as tsc writes it
+ */
+export function withPlainTypes(text) {
+  return text.split('\n').map((line) => {
+    if (/^\s*(\/\*\*|\*)/.test(line)) return line;
+    const plain = ofBrowsers.reduce((words, [name, type]) =>
+      words.replace(new RegExp(`(?<=: |=> |<)${name}\\b`, 'g'), type), line);
+    return plain.replace(/^(\s+\w+\?: )(.*);$/, (whole, name, type) => {
+      if (/ \| undefined$/.test(type)) return whole;
+      return `${name}${type.includes('=>') ? `(${type})` : type} | undefined;`;
+    });
+  }).join('\n');
 }
 
 /** A text, escaped for a cell of a Markdown table. @param {string} text */

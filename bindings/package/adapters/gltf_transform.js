@@ -51,7 +51,7 @@ function partsOf(document) {
  * import { remesh } from 'remesher/gltf-transform';
  * await document.transform(remesh({ ratio: 0.5 }), textureCompress({ encoder: sharp }));
  *
- * @param {RemeshOptions & RunOptions} [options] What to make of it, and how to run.
+ * @param {Omit<RemeshOptions, 'lods'> & RunOptions} [options] What to make of it, and how to run.
  * @returns {Transform} For `document.transform(…)`, which rejects with a `RemeshError`; then
  *   nothing has changed.
  */

@@ -37,7 +37,7 @@ export { quadEdges, quadsOf } from './three_quads.js';
  * const { geometry } = await remeshGeometry(mesh.geometry, { vertices: 10000 });
  *
  * @param {BufferGeometry} geometry The surface; it stays as it is.
- * @param {RemeshOptions & RunOptions} [options] What to make of it, and how to run.
+ * @param {Omit<RemeshOptions, 'lods'> & RunOptions} [options] What to make of it, and how to run.
  * @returns {Promise<RemeshGeometryResult>} The new geometry and a report. Rejects with a
  *   `RemeshError`.
  */
@@ -79,7 +79,7 @@ function replace(surfaces, replacements) {
  * const { report } = await remeshObject(scene, { ratio: 0.5 });
  *
  * @param {Object3D} object A scene, a group, a mesh.
- * @param {RemeshOptions & RunOptions} [options] What to make of it, and how to run.
+ * @param {Omit<RemeshOptions, 'lods'> & RunOptions} [options] What to make of it, and how to run.
  * @returns {Promise<RemeshObjectResult>} A report. Rejects with a `RemeshError`; then nothing has
  *   changed.
  */

@@ -122,8 +122,14 @@ const whole = Object.entries(takes).map(([name, [first, options]]) =>
   `${name}(${first}${first && ', '}{ ${Object.entries(options).map((pair) => pair.join(': '))
     .join(', ')} });`);
 
+/** An option may be undefined, whatever the settings. */
+const undecided = Object.entries(takes).map(([name, [first, options]]) =>
+  `${name}(${first}${first && ', '}{ ${Object.keys(options).map((key) => `${key}: undefined`)
+    .join(', ')} });`);
+
 const settings = {
-  'nodenext, in Node': { module: 'nodenext' },
+  'nodenext, in Node': { module: 'nodenext', exactOptionalPropertyTypes: true,
+    lib: ['es2022'], types: ['node'], typeRoots: [join(root, 'node_modules/@types')] },
   'nodenext, in browsers': { module: 'nodenext', customConditions: ['browser'] },
   'bundler, in Node': { module: 'esnext', moduleResolution: 'bundler', customConditions: ['node'] },
   'bundler, in browsers': { module: 'esnext', moduleResolution: 'bundler' },
@@ -194,7 +200,7 @@ for (const [name, options] of Object.entries(settings)) {
     });
 
     test('each option of each function compiles, alone and with all others, and no other', () => {
-      const { status, stdout } = compiled(folder, [...calls, ...whole]);
+      const { status, stdout } = compiled(folder, [...calls, ...whole, ...undecided]);
       assert.equal(status, 0, stdout);
       assert.match(compiled(folder, [`repair(${mesh}, { vertices: 9 });`]).stdout,
         /'vertices' does not exist/);
@@ -203,7 +209,7 @@ for (const [name, options] of Object.entries(settings)) {
 
     test('what belongs to the call shows its text', async () => {
       assert.match(await editor.hover(file, placeOf('signal')), /AbortSignal[^]*AbortError/);
-      assert.match(await editor.hover(file, placeOf('onProgress')), /ProgressEvent[^]*how far/);
+      assert.match(await editor.hover(file, placeOf('onProgress')), /ProgressEvent[^]*progress of/);
       assert.match(await editor.hover(file, placeOf('worker')), /boolean[^]*calling thread/);
     });
   });
