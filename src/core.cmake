@@ -138,6 +138,7 @@ set(small
   src/io/model/corner_weld.cpp
   src/io/model/dropped.cpp
   src/io/model/levels.cpp
+  src/io/model/named_bodies.cpp
   src/io/model/near_origin.cpp
   src/io/model/resources.cpp
   src/io/model/same_mesh.cpp

@@ -48,6 +48,7 @@ add_executable(unit_tests
   tests/unit/io/model/byte_reader_test.cpp
   tests/unit/io/model/companions_test.cpp
   tests/unit/io/model/conventions_test.cpp
+  tests/unit/io/model/named_bodies_test.cpp
   tests/unit/io/model/near_origin_test.cpp
   tests/unit/io/model/resources_test.cpp
   tests/unit/io/model/wedges_test.cpp

@@ -15,6 +15,7 @@
 #include "io/model/byte_reader.h"
 #include "io/model/companions.h"
 #include "io/model/dropped.h"
+#include "io/model/named_bodies.h"
 #include "io/model/near_origin.h"
 #include "io/model/resources.h"
 #include "io/named/abaqus.h"
@@ -111,6 +112,21 @@ std::size_t mappedGroups(const Model& model) {
   for (const Part& part : model.parts)
     count += std::size_t(std::count_if(part.groups.begin(), part.groups.end(), hasMaps));
   return count;
+}
+
+// The bodies that an OBJ names, by group: its objects, or its groups where it has none.
+std::vector<std::string> bodyNames(const Model& model) {
+  const auto* const source = dynamic_cast<const ObjSource*>(model.source.get());
+  std::vector<std::string> names;
+  if (source == nullptr) return names;
+  for (const ObjGroup& group : source->groups)
+    names.push_back(group.object.empty() ? group.groups : group.object);
+  return names;
+}
+
+Model inBodies(Model model, const std::vector<std::string>& names) {
+  model.parts = namedBodies(std::move(model.parts), names);
+  return model;
 }
 
 }  // namespace
@@ -214,12 +230,18 @@ void uniteAll(Model& model, const std::string& outputName) {
     uniteGltf(model);
   else
     uniteParts(model);
+  if (canHold(outputName, kHoldsMeshes) && dynamic_cast<const ObjSource*>(model.source.get()))
+    model.source = nullptr;  // its objects stay one
 }
 
 WrittenFiles write(const Model& model, const std::string& outputName) {
   requireWritable(outputName);
   const Format& format = *findByExtension(outputName);
-  WrittenFiles written = format.write(model, plainName(outputName));
+  const std::string name = plainName(outputName);
+  const std::vector<std::string> bodies =
+      format.has(kHoldsMeshes) ? bodyNames(model) : std::vector<std::string>();
+  WrittenFiles written =
+      bodies.empty() ? format.write(model, name) : format.write(inBodies(model, bodies), name);
   if (!format.has(kHoldsParts) && !isOwnPly(model, format))
     for (const Warning& warning : mergedParts(model)) written.warnings.push_back(warning);
   const bool keepsMaps = model.conventions != Conventions::Gltf || format.has(kHoldsImages);
