@@ -132,7 +132,7 @@ std::uint64_t facetsIn(const File& file, std::uint64_t promised, std::vector<War
     return promised;
   }
   const std::uint64_t held = promised + behind / kFacetBytes;
-  warnOfCount(file, said + "its bytes are " + std::to_string(held) + ": all are read.",
+  warnOfCount(file, said + "its bytes hold " + std::to_string(held) + ": all are read.",
               behind / kFacetBytes, warnings);
   return held;
 }

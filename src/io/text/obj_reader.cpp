@@ -373,7 +373,8 @@ void warnOfImages(const File& library, std::vector<Warning>& warnings) {
   warnings.push_back(
       {"MATERIAL_IMAGES_NOT_READ",
        "The material library " + legible(library.name) +
-           " names images, which are not read and not passed on: " + legibleList(images) + ".",
+           " names images, which are not passed on: " + legibleList(images) +
+           ". Lay them beside an .obj; a .glb gets them painted with --textures bake.",
        images.size()});
 }
 

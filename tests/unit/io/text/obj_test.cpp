@@ -140,6 +140,7 @@ TEST_CASE(
   REQUIRE(model.warnings.size() == 1);
   CHECK(model.warnings[0].code == "MATERIAL_IMAGES_NOT_READ");
   CHECK(model.warnings[0].message.find("../wood.png") != std::string::npos);
+  CHECK(model.warnings[0].message.find("--textures bake") != std::string::npos);
   const io::WrittenFiles written = io::write(model, "out.obj");
   CHECK(written.files.at(1).name == "m.mtl");
   CHECK(textOf(written.files[0]).find("mtllib m.mtl\n") == 0);
