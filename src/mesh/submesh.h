@@ -14,8 +14,25 @@ struct Submesh {
   std::vector<Index> vertices;  // per vertex: of the whole, ascending
 };
 
-// The triangles come in the order in which they are listed, with their groups and attributes.
-Submesh submeshOf(const TriangleMesh& whole, std::span<const Index> triangles);
+// Takes submeshes of one mesh, each in a time of its own size: a mesh may have thousands.
+class Submeshes {
+ public:
+  // whole: must outlive the object.
+  explicit Submeshes(const TriangleMesh& whole);
+
+  // The triangles come in the order in which they are listed, with their groups and attributes.
+  Submesh of(std::span<const Index> triangles);
+
+ private:
+  std::vector<Index> verticesOf(std::span<const Index> triangles);
+
+  const TriangleMesh& whole_;
+  std::vector<Index> numbers_;  // per vertex: its number in the submesh, kNone between calls
+};
+
+inline Submesh submeshOf(const TriangleMesh& whole, std::span<const Index> triangles) {
+  return Submeshes(whole).of(triangles);
+}
 
 // Both with the same attributes, and both with groups or without.
 void append(TriangleMesh& mesh, const TriangleMesh& more);

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "io/model/named_bodies.h"
 
-#include <algorithm>
-#include <iterator>
 #include <map>
 #include <string>
 #include <utility>
 
 #include "base/disjoint_sets.h"
 #include "io/model/corner_weld.h"
+#include "mesh/submesh.h"
 
 namespace remesher::io {
 namespace {
@@ -46,55 +45,17 @@ Bodies bodiesIn(const Part& part, const std::vector<std::string>& names) {
   return bodies;
 }
 
-// Takes bodies out of a part, each in a time of its own size: a file may have thousands.
-class Taking {
- public:
-  explicit Taking(const Part& part) : part_(part), numbers_(part.mesh.positions.size(), kNone) {}
-  Part bodyOf(const std::vector<Index>& triangles);
-
- private:
-  void takeVertices(TriangleMesh& mesh, std::vector<Index>& vertices);
-
-  const Part& part_;
-  std::vector<Index> numbers_;  // per vertex: in the body that is taken
-};
-
-// Gives the body its vertices, and its indices the numbers of these.
-void Taking::takeVertices(TriangleMesh& mesh, std::vector<Index>& vertices) {
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  for (const Index v : vertices) {
-    numbers_[v] = Index(mesh.positions.size());
-    mesh.positions.push_back(part_.mesh.positions[v]);
+// Some triangles of a part, with the groups that they are of.
+Part bodyOf(const Part& part, TriangleMesh mesh) {
+  Part body{part.name, std::move(mesh), part.instances};
+  body.hidden = part.hidden;
+  body.mesh.isQuads = part.mesh.isQuads;
+  std::map<Index, Index> numbers;
+  for (Index& group : body.mesh.groups) {
+    const auto [entry, isNew] = numbers.emplace(group, Index(body.groups.size()));
+    if (isNew) body.groups.push_back(group < part.groups.size() ? part.groups[group] : GroupInfo{});
+    group = entry->second;
   }
-  for (Index& v : mesh.indices) v = numbers_[v];
-  for (const Attribute& attribute : part_.mesh.attributes) {
-    mesh.attributes.push_back({attribute.semantic, attribute.itemSize, {}});
-    for (const Index v : vertices) {
-      const auto at = attribute.values.begin() + std::ptrdiff_t(v) * attribute.itemSize;
-      std::copy_n(at, attribute.itemSize, std::back_inserter(mesh.attributes.back().values));
-    }
-  }
-}
-
-Part Taking::bodyOf(const std::vector<Index>& triangles) {
-  Part body{part_.name, {}, part_.instances};
-  body.hidden = part_.hidden;
-  TriangleMesh& mesh = body.mesh;
-  mesh.isSingle = part_.mesh.isSingle, mesh.frame = part_.mesh.frame;
-  mesh.steps = part_.mesh.steps, mesh.isQuads = part_.mesh.isQuads;
-  std::map<Index, Index> groups;
-  for (const Index t : triangles) {
-    const auto corners = part_.mesh.indices.begin() + std::ptrdiff_t{3} * t;
-    mesh.indices.insert(mesh.indices.end(), corners, corners + 3);
-    const Index group = part_.mesh.groups[t];
-    const auto [entry, isNew] = groups.emplace(group, Index(body.groups.size()));
-    if (isNew)
-      body.groups.push_back(group < part_.groups.size() ? part_.groups[group] : GroupInfo{});
-    mesh.groups.push_back(entry->second);
-  }
-  std::vector<Index> vertices = mesh.indices;
-  takeVertices(mesh, vertices);
   return body;
 }
 
@@ -112,10 +73,10 @@ void appendBodies(std::vector<Part>& all, Part part, const std::vector<std::stri
     triangles[bodies.sets.find(bodies.ofGroup[part.mesh.groups[t]])].push_back(t);
   std::vector<Index> members(bodies.names.size(), 0);
   for (Index name = 0; name < members.size(); ++name) ++members[bodies.sets.find(name)];
-  Taking taking(part);
+  Submeshes bodiesOf(part.mesh);
   for (Index name = 0; name < members.size(); ++name) {
     if (triangles[name].empty()) continue;
-    all.push_back(taking.bodyOf(triangles[name]));
+    all.push_back(bodyOf(part, bodiesOf.of(triangles[name]).mesh));
     if (members[name] == 1 && !bodies.names[name].empty()) all.back().name = bodies.names[name];
   }
 }
