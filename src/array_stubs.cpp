@@ -29,11 +29,11 @@ namespace {
 
 }  // namespace
 
-PartsRepair repairParts(std::vector<io::Part>, const RemeshOptions&, const Progress&) {
+PartsRepair repairParts(std::vector<io::Part>, const PartOptions&, const Progress&) {
   refuse("Repair");
 }
 
-Dropped dropSmallPieces(std::vector<io::Part>&, const RemeshOptions&) { refuse("Leaving out"); }
+Dropped dropSmallPieces(std::vector<io::Part>&, const PartOptions&) { refuse("Leaving out"); }
 Dropped dropHiddenTriangles(std::vector<io::Part>&, Hidden) { refuse("Leaving out"); }
 
 void keepDrawingOrder(std::vector<io::Part>&, const std::vector<io::Part>&) {}
@@ -44,16 +44,16 @@ RoundedMesh inSoundPrecisionOf(const TriangleMesh&, RemeshOutcome&) { refuse("Re
 bool isSound(const TriangleMesh&) { refuse("Repair"); }
 std::vector<Warning> warningsOfMeeting(const std::vector<io::Part>&) { refuse("Repair"); }
 
-SharedGuides sharedGuides(const std::vector<io::Part>&, const RemeshOptions&) { return {}; }
+SharedGuides sharedGuides(const std::vector<io::Part>&, const PartOptions&) { return {}; }
 
 std::vector<Warning> bordersOffGiven(const std::vector<io::Part>&, const std::vector<io::Part>&) {
   return {};
 }
 
-void keepLimits(Run&, const RemeshOptions&, Number) {}
-Unmet unmetLimits(const Run&, const RemeshOptions&) { return {}; }
-SizeBounds sizeBounds(const RemeshOptions&) { return {}; }
-double numberByEdges(const RemeshOptions&, double, double own) { return own; }
+void keepLimits(Run&, const PartOptions&, Number) {}
+Unmet unmetLimits(const Run&, const PartOptions&) { return {}; }
+SizeBounds sizeBounds(const PartOptions&) { return {}; }
+double numberByEdges(const PartOptions&, double, double own) { return own; }
 void checkWanted(const RemeshOptions&) {}
 std::optional<WantedReport> wantedOf(const std::vector<io::Part>&, const RemeshOptions&) {
   return {};
@@ -63,33 +63,33 @@ std::vector<Warning> wantedMissed(const MeshReport&, const std::vector<io::Part>
   return {};
 }
 
-bool leadsByAngle(const RemeshOptions&) { return false; }
-bool limitsAngle(const RemeshOptions&) { return false; }
-RemeshOutcome remeshAtAngle(const TriangleMesh&, Welding, const RemeshOptions&, const Progress&) {
+bool leadsByAngle(const PartOptions&) { return false; }
+bool limitsAngle(const PartOptions&) { return false; }
+RemeshOutcome remeshAtAngle(const TriangleMesh&, Welding, const PartOptions&, const Progress&) {
   refuse("A smallest angle");
 }
-RemeshOutcome remeshToAngle(const TriangleMesh&, Welding, const RemeshOptions&, const Progress&) {
+RemeshOutcome remeshToAngle(const TriangleMesh&, Welding, const PartOptions&, const Progress&) {
   refuse("A smallest angle");
 }
 
-TouchingParts::TouchingParts(const std::vector<io::Part>& given, const RemeshOptions& options)
+TouchingParts::TouchingParts(const std::vector<io::Part>& given, const PartOptions& options)
     : given_(given) {
   if (options.conform) refuse("Common faces");
 }
-RemeshOptions TouchingParts::applied(RemeshOptions options) const { return options; }
+PartOptions TouchingParts::applied(PartOptions options) const { return options; }
 void TouchingParts::finish(std::vector<SceneRun>&) const {}
 
-RegionRun::RegionRun(std::vector<io::Part>&, const RemeshOptions& options) {
+RegionRun::RegionRun(std::vector<io::Part>&, const PartOptions& options) {
   if (!options.region.empty()) refuse("A region");
 }
-RemeshOptions RegionRun::applied(RemeshOptions options) const { return options; }
+PartOptions RegionRun::applied(PartOptions options) const { return options; }
 void RegionRun::finish(std::vector<SceneRun>&) const {}
 
-std::unique_ptr<const ThinnedParts> thinnedParts(std::vector<io::Part>&, const RemeshOptions&,
+std::unique_ptr<const ThinnedParts> thinnedParts(std::vector<io::Part>&, const PartOptions&,
                                                  const ScanSlabs&) {
   return nullptr;
 }
-RemeshOptions ThinnedParts::applied(RemeshOptions options) const { return options; }
+PartOptions ThinnedParts::applied(PartOptions options) const { return options; }
 void ThinnedParts::note(std::vector<SceneRun>&) const {}
 
 std::vector<Warning> pairedParts(const QuadReport&, const std::vector<io::Part>&) { return {}; }
@@ -104,7 +104,7 @@ MadeQuads makeQuads(const QuadGoal&, const TriangleMaker&) { refuse("The making 
 
 std::size_t wholeCount(const QuadMesh&, const Mirrors&) { return 0; }
 
-RemeshOutcome remeshAsQuads(const TriangleMesh&, const Welding&, const RemeshOptions&,
+RemeshOutcome remeshAsQuads(const TriangleMesh&, const Welding&, const PartOptions&,
                             const PlainRemesher&, const Progress&) {
   refuse("The making of quads");
 }

@@ -26,7 +26,6 @@ install(FILES
   src/base/file.h
   src/base/frame.h
   src/base/options.h
-  src/base/paired_part.h
   src/base/phase_clock.h
   src/base/progress.h
   src/base/quarter_turn.h

@@ -82,10 +82,10 @@ RemeshSceneResult remeshScene(std::vector<PlacedMesh> scene, const RemeshOptions
     parts.back().finer = std::move(placed.finer);
     if (asked.textures == Textures::Drop) dropTexcoords(parts.back().mesh);
   }
-  RemeshOptions inPercent = withPercents(asked, parts);
+  PartOptions inPercent = withPercents(asked, parts);
   limitEdges(inPercent);
   const RegionRun region(parts, inPercent);
-  const RemeshOptions options = region.applied(inPercent);
+  const PartOptions options = region.applied(inPercent);
   const std::vector<Warning> settled = settleAttributes(parts);
   const Progress stretch = progress.timedBy(clock);
   const double mended = mendShare(options);
@@ -114,7 +114,7 @@ RepairResult repair(const TriangleMesh& mesh, const RemeshOptions& asked,
   PhaseClock clock;
   requireUnpainted(asked);
   std::vector<io::Part> parts = {io::Part{"", mesh, {}}};
-  const RemeshOptions options = withPercents(asked, parts);
+  const PartOptions options = withPercents(asked, parts);
   if (options.textures == Textures::Drop) dropTexcoords(parts.front().mesh);
   const std::vector<Warning> settled = settleAttributes(parts);
   RepairedParts repaired =
@@ -135,10 +135,10 @@ RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
   io::Model model = readFor(outputName, input, asked);
   input.file = {input.file.name, {}};
   input.resources = {};
-  RemeshOptions inPercent = withPercents(asked, model.parts);
+  PartOptions inPercent = withPercents(asked, model.parts);
   limitEdges(inPercent);
   const RegionRun region(model.parts, inPercent);
-  const RemeshOptions options = region.applied(inPercent);
+  const PartOptions options = region.applied(inPercent);
   model.isExact = options.repair != Repair::Off;
   if (options.unite)
     io::uniteAll(model, outputName);
@@ -156,7 +156,7 @@ RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
     const Mending& mending = prepared.mending();
     model.leftOut = mending.leftOut();
     model.sharesNodes = options.conform;
-    RemeshOptions chosen = prepared.options();
+    PartOptions chosen = prepared.options();
     if (mending.isRemade() && isPainted && io::canHold(outputName, io::kHoldsImages))
       chosen = withPaint(std::move(chosen), model);
     const Progress body = stretch.part(mended, 1);

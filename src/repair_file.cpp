@@ -44,7 +44,7 @@ RemeshFileResult repairFile(const FileBundle& input, const std::string& outputNa
   if (asked.textures == Textures::Bake) requireTextured(outputName);
   io::Model model = io::read(input.file, input.resources);
   io::prepare(model, outputName);
-  const RemeshOptions options = withPercents(asked, model.parts);
+  const PartOptions options = withPercents(asked, model.parts);
   if (options.textures == Textures::Drop) dropTextures(model);
   if (options.unite)
     io::uniteAll(model, outputName);
@@ -60,8 +60,7 @@ RemeshFileResult repairFile(const FileBundle& input, const std::string& outputNa
   model.polygons += repaired.quadsCut;
   Report& report = repaired.report;
   const bool mayPaint = !input.pictures.empty() && io::canHold(outputName, io::kHoldsImages);
-  const RemeshOptions painting =
-      repaired.isRemade && mayPaint ? withPaint(options, model) : options;
+  const PartOptions painting = repaired.isRemade && mayPaint ? withPaint(options, model) : options;
   if (painting.textures == Textures::Bake)
     inFile(input.file.name, [&] {
       paintRepaired(model, {{}, input.pictures}, painting, whole.part(kPainted, 1));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The options of a run. Angles in degrees, lengths in model units, errors in percent of
+// The options that a caller sets. Angles in degrees, lengths in model units, errors in percent of
 // the bounding box diagonal. An unset optional means the scheme's own default, which each step
 // fills in where it reads the option.
 #pragma once
@@ -34,29 +34,7 @@ enum class Repair { Off, Holes, Solid, Wrap, Auto };  // before remeshing
 // Whether a lattice makes the surface anew: of the way that was taken, not of Auto.
 inline bool isRemade(Repair repair) { return repair == Repair::Solid || repair == Repair::Wrap; }
 enum class Sheets { Thicken, Drop };   // what wrap does with open sheets
-enum class TooFew { Refuse, Raise };   // for a target below what the surface needs
 enum class LodsBy { Shares, Pixels };  // what `lods` says of each level
-// If isotropic triangles exceed an error bound: use those of the original | end the run.
-enum class OutOfBound { FromOriginal, GiveUp };
-
-// A plane that mirrors a surface onto itself.
-struct MirrorPlane {
-  Vec3 normal;  // unit
-  double offset = 0;
-
-  // Signed: positive on the side that the normal points to.
-  double distance(const Vec3& p) const { return normal.dot(p) - offset; }
-  // Both are exact for a plane x = 0, y = 0 or z = 0.
-  Vec3 mirrored(const Vec3& p) const { return p - 2 * distance(p) * normal; }
-  Vec3 onto(const Vec3& p) const { return p - distance(p) * normal; }
-};
-
-// The planes that mirror a half, at right angles to each other.
-struct Mirrors {
-  std::vector<MirrorPlane> planes;
-  double slack = 0;          // vertices nearer to a plane lie on it
-  std::size_t vertices = 0;  // of the whole
-};
 
 // The effect of a guide on quads: along which directions they lie beside it, or that it becomes
 // sides of quads.
@@ -130,17 +108,6 @@ struct RemeshOptions {
   LodsBy lodsBy = LodsBy::Shares;   // or how far a level may be off, in pixels of 1080
   bool lodFiles = false;            // a file for each level, not one for all
   Lengths lengths;
-
-  // Not set by the caller: see PartTargets, PartUnions, fewest_vertices.h, mirrored.h,
-  // part_repair.cpp, touching_parts.h.
-  TooFew tooFew = TooFew::Refuse;
-  OutOfBound outOfBound = OutOfBound::FromOriginal;
-  std::vector<Index> bodies;           // per input group its body; all bodies form one surface
-  std::optional<Index> inBodies;       // exact number of positions, each counted once per body
-  double longestOfFacets = kInfinity;  // edges of a part's facets from here on are divided first
-  Mirrors mirrors;                     // of quads: the input is a half, cut off along these planes
-  std::optional<double> spacing;       // wished for repair's lattice; else from the mesh itself
-  bool keepsJoints = false;  // edges at which the surface is cut apart stay, and join it again
 };
 
 // Whether a number of vertices is asked for, by itself or by a mean length of edges.

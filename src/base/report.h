@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "base/options.h"
-#include "base/paired_part.h"
 #include "base/types.h"
 
 namespace remesher {
@@ -28,6 +27,12 @@ struct AngleStatistics {
   double worst = 0;
   double mean = 0;
   std::array<double, 6> histogram{};
+};
+
+// A connected part whose quads are pairs of triangles, divided, with more irregular vertices.
+struct PairedPart {
+  Vec3 at = Vec3::Zero();  // one of its vertices
+  std::size_t quads = 0;
 };
 
 // Figures of a mesh of quads. irregular: interior vertices whose valence is not 4. angleDeviation:

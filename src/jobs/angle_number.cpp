@@ -50,7 +50,7 @@ bool hasAngle(const RemeshOutcome& made, double angle) {
 }
 
 // Whether hardly an edge or an angle is not as wanted.
-bool keepsLimits(const TriangleMesh& mesh, const RemeshOptions& options) {
+bool keepsLimits(const TriangleMesh& mesh, const PartOptions& options) {
   const WantedReport wanted = wantedOf(mesh, options);
   const auto isKept = [](const std::optional<WantedFigure>& figure) {
     return !figure || figure->kept >= 100 * (1 - kFewSmall);
@@ -58,7 +58,7 @@ bool keepsLimits(const TriangleMesh& mesh, const RemeshOptions& options) {
   return isKept(wanted.minEdge) && isKept(wanted.maxEdge) && isKept(wanted.minAngle);
 }
 
-RemeshOptions withoutLimits(RemeshOptions options) {
+PartOptions withoutLimits(PartOptions options) {
   options.minEdge.reset();
   options.maxEdge.reset();
   options.minAngle.reset();
@@ -67,9 +67,9 @@ RemeshOptions withoutLimits(RemeshOptions options) {
 
 // Those of the mesh of a part's facets. Long edges are divided first: a little shorter ones than
 // the longest that is wanted, for smoothing changes lengths.
-RemeshOptions forFacets(const RemeshOptions& options) {
+PartOptions forFacets(const PartOptions& options) {
   constexpr double kShorter = 0.9;
-  RemeshOptions own = withoutLimits(options);
+  PartOptions own = withoutLimits(options);
   if (options.maxEdge) own.longestOfFacets = kShorter * *options.maxEdge;
   return own;
 }
@@ -88,16 +88,14 @@ Warning awayFor(const std::string& limits, double away, const char* hint) {
 }
 
 // Whether the longest edge that is wanted leads to the number of vertices.
-bool leadsByLongest(const RemeshOptions& options) {
-  return options.maxEdge && leadsByEdges(options);
-}
+bool leadsByLongest(const PartOptions& options) { return options.maxEdge && leadsByEdges(options); }
 
 // Those of a part's facets with as few vertices as keep the limits.
 class FacetSearch {
  public:
   // asked: with a mean length of edges, or a longest one. first: the mesh of its number, or of the
   // input's, without limits.
-  FacetSearch(const TriangleMesh& input, const Welding& welding, const RemeshOptions& asked,
+  FacetSearch(const TriangleMesh& input, const Welding& welding, const PartOptions& asked,
               const RemeshOutcome& first)
       : input_(input), welding_(welding), asked_(asked), first_(first) {}
 
@@ -106,7 +104,7 @@ class FacetSearch {
   std::optional<RemeshOutcome> run(const RemeshOutcome& limited, double away,
                                    const Progress& progress) const {
     if (first_.prefer != Prefer::Shape) return std::nullopt;
-    RemeshOptions wanted = asked_;
+    PartOptions wanted = asked_;
     if (!keepsShortest(limited.mesh)) wanted.minEdge.reset();
     if (leadsByLongest(asked_)) return runLongest(wanted, limited.vertices, away, progress);
     constexpr double kMost = 8;  // the vertices of the first mesh
@@ -125,7 +123,7 @@ class FacetSearch {
   static constexpr double kTimes = 1.25;  // the ratio of numbers tried
 
   RemeshOutcome madeOf(double vertices, const Progress& progress) const {
-    RemeshOptions options = forFacets(asked_);
+    PartOptions options = forFacets(asked_);
     options.edgeLength.reset();
     options.vertices = Index(vertices);
     return remeshSurface(input_, welding_, options, progress.part(1, 1));
@@ -133,7 +131,7 @@ class FacetSearch {
 
   // With at most a third of the vertices that isotropic triangles take; with more only where these
   // dent the part.
-  std::optional<RemeshOutcome> runLongest(const RemeshOptions& wanted, std::size_t isotropic,
+  std::optional<RemeshOutcome> runLongest(const PartOptions& wanted, std::size_t isotropic,
                                           double away, const Progress& progress) const {
     constexpr double kLeast = 0.1, kFewer = 1.0 / 3, kMost = 2;  // of the isotropic triangles'
     constexpr double kMostOfFacets = 4000;
@@ -156,7 +154,7 @@ class FacetSearch {
   }
 
   bool keepsShortest(const TriangleMesh& mesh) const {
-    RemeshOptions shortest;
+    PartOptions shortest;
     shortest.minEdge = asked_.minEdge;
     return keepsLimits(mesh, shortest);
   }
@@ -170,13 +168,13 @@ class FacetSearch {
 
   const TriangleMesh& input_;
   const Welding& welding_;
-  const RemeshOptions& asked_;
+  const PartOptions& asked_;
   const RemeshOutcome& first_;
 };
 
 class AngleSearch {
  public:
-  AngleSearch(const TriangleMesh& input, const Welding& welding, const RemeshOptions& asked,
+  AngleSearch(const TriangleMesh& input, const Welding& welding, const PartOptions& asked,
               const Progress& progress)
       : input_(input), welding_(welding), asked_(asked), options_(asked), progress_(progress) {
     options_.tooFew = TooFew::Raise;
@@ -197,7 +195,7 @@ class AngleSearch {
 
  private:
   RemeshOutcome withoutAngle() const {
-    const RemeshOptions unlimited = withoutLimits(asked_);
+    const PartOptions unlimited = withoutLimits(asked_);
     if (leavesNumberOpen(unlimited))
       return remeshNearOpenNumber(input_, welding_, unlimited, progress_);
     return remeshSurface(input_, welding_, unlimited, progress_);
@@ -265,8 +263,8 @@ class AngleSearch {
 
   const TriangleMesh& input_;
   const Welding& welding_;
-  const RemeshOptions& asked_;
-  RemeshOptions options_;
+  const PartOptions& asked_;
+  PartOptions options_;
   const Progress& progress_;
   const std::size_t own_ = countPlaces(input_.positions);
   bool hasShape_ = false;              // the mesh made without the angle has the input's shape
@@ -286,12 +284,12 @@ Warning moreForAngle(std::size_t vertices, std::size_t own) {
                                      ", which the smallest angle that is asked for needs."};
 }
 
-bool leadsByAngle(const RemeshOptions& options) {
+bool leadsByAngle(const PartOptions& options) {
   return options.minAngle && !hasNumber(options) && !asksForFewest(options) &&
          options.bodies.empty();
 }
 
-bool limitsAngle(const RemeshOptions& options) {
+bool limitsAngle(const PartOptions& options) {
   const bool limitsEdges = options.minEdge || options.maxEdge;
   const bool leads = options.edgeLength || leadsByLongest(options);
   return options.minAngle && (leads || (!limitsEdges && hasNumber(options))) &&
@@ -299,9 +297,9 @@ bool limitsAngle(const RemeshOptions& options) {
          !options.maxError && options.bodies.empty();
 }
 
-RemeshOutcome remeshAtAngle(const TriangleMesh& input, Welding welding,
-                            const RemeshOptions& options, const Progress& progress) {
-  const RemeshOptions own = forFacets(options);
+RemeshOutcome remeshAtAngle(const TriangleMesh& input, Welding welding, const PartOptions& options,
+                            const Progress& progress) {
+  const PartOptions own = forFacets(options);
   // Where only isotropic triangles come into question, limits of angles are kept after all else.
   const bool isAlways = !options.edgeLength && !mayFollow(own);
   if (isAlways || !isFaceted(buildMesh(input)))
@@ -344,8 +342,8 @@ RemeshOutcome remeshAtAngle(const TriangleMesh& input, Welding welding,
   return std::move(*limited);
 }
 
-RemeshOutcome remeshToAngle(const TriangleMesh& input, Welding welding,
-                            const RemeshOptions& options, const Progress& progress) {
+RemeshOutcome remeshToAngle(const TriangleMesh& input, Welding welding, const PartOptions& options,
+                            const Progress& progress) {
   return AngleSearch(input, welding, options, progress).run();
 }
 

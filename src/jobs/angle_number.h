@@ -3,7 +3,7 @@
 // the mesh of the part's facets where that keeps the angle.
 #pragma once
 
-#include "base/options.h"
+#include "base/part_options.h"
 #include "base/progress.h"
 #include "mesh/welding.h"
 #include "remesh/schemes/remesh.h"
@@ -11,16 +11,16 @@
 namespace remesher {
 
 // Whether the wanted angle decides the number of vertices.
-bool leadsByAngle(const RemeshOptions& options);
+bool leadsByAngle(const PartOptions& options);
 
 // Whether a smallest angle is all that is wanted beside a number, or edges of a mean length as
 // well.
-bool limitsAngle(const RemeshOptions& options);
+bool limitsAngle(const PartOptions& options);
 
 // For a part made of facets, takes the mesh without the limits if that keeps them, or, with a
 // number of vertices, if the mesh within the limit would visibly dent the part.
-RemeshOutcome remeshAtAngle(const TriangleMesh& input, Welding welding,
-                            const RemeshOptions& options, const Progress& progress);
+RemeshOutcome remeshAtAngle(const TriangleMesh& input, Welding welding, const PartOptions& options,
+                            const Progress& progress);
 
 // The warning that a mesh got more vertices than the input has, for the angle.
 Warning moreForAngle(std::size_t vertices, std::size_t own);
@@ -32,7 +32,7 @@ Warning moreForAngle(std::size_t vertices, std::size_t own);
 // SHAPE_TAKES_MORE; if all that do dent the shape, that with the fewest smaller angles, or the mesh
 // without the limit. The numbers tried are at most 12,000 in sum or, if that is more, seven times
 // the input's.
-RemeshOutcome remeshToAngle(const TriangleMesh& input, Welding welding,
-                            const RemeshOptions& options, const Progress& progress);
+RemeshOutcome remeshToAngle(const TriangleMesh& input, Welding welding, const PartOptions& options,
+                            const Progress& progress);
 
 }  // namespace remesher

@@ -73,7 +73,7 @@ void requireTextured(const std::string& outputName) {
               "Let the output's name end in .glb or .gltf.");
 }
 
-std::vector<SceneRun> remeshBaked(io::Model& model, PaintInput paint, const RemeshOptions& options,
+std::vector<SceneRun> remeshBaked(io::Model& model, PaintInput paint, const PartOptions& options,
                                   const Progress& progress) {
   const Repaint repaint = repaintOf(model, std::move(paint));
   const std::vector<io::Part> bare = repaint.bareParts();
@@ -98,7 +98,7 @@ std::vector<Picture> picturesFrom(std::vector<io::PaintedImage> images) {
   return pictures;
 }
 
-void paintRepaired(io::Model& model, PaintInput paint, const RemeshOptions& options,
+void paintRepaired(io::Model& model, PaintInput paint, const PartOptions& options,
                    const Progress& progress) {
   const Repaint repaint = repaintOf(model, std::move(paint));
   model.parts = repaint.bareParts();

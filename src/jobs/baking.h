@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/file.h"
-#include "base/options.h"
+#include "base/part_options.h"
 #include "base/progress.h"
 #include "io/model/model.h"
 #include "jobs/scene_run.h"
@@ -26,7 +26,7 @@ void requireTextured(const std::string& outputName);
 // levels of detail follow, simplified from the painted one, with the same maps. Throws
 // UNSUPPORTED if the model has nothing to paint from, and MISSING_RESOURCE for an image that its
 // materials name and that is not given.
-std::vector<SceneRun> remeshBaked(io::Model& model, PaintInput paint, const RemeshOptions& options,
+std::vector<SceneRun> remeshBaked(io::Model& model, PaintInput paint, const PartOptions& options,
                                   const Progress& progress);
 
 // Requires all images that the model's materials name; for glTF, the decoder of the images checks
@@ -39,7 +39,7 @@ std::vector<io::NamedImage> imagesFrom(std::vector<Picture> pictures);
 std::vector<Picture> picturesFrom(std::vector<io::PaintedImage> images);
 
 // Paints textures for the parts as they are, repaired but not remeshed. Throws as above.
-void paintRepaired(io::Model& model, PaintInput paint, const RemeshOptions& options,
+void paintRepaired(io::Model& model, PaintInput paint, const PartOptions& options,
                    const Progress& progress);
 
 }  // namespace remesher

@@ -161,7 +161,7 @@ void keepClosedWhole(const TriangleMesh& mesh, std::vector<char>& isGone) {
 
 }  // namespace
 
-Dropped dropSmallPieces(std::vector<io::Part>& parts, const RemeshOptions& options) {
+Dropped dropSmallPieces(std::vector<io::Part>& parts, const PartOptions& options) {
   Dropped dropped;
   const PartFrames scale(parts);
   const std::vector<io::Part> scaled = applied(scale, parts);

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "base/options.h"
+#include "base/part_options.h"
 #include "base/report.h"
 #include "io/model/model.h"
 
@@ -23,7 +23,7 @@ enum class Hidden { Triangles, Pieces };
 
 // Pieces are measured in the world, as percent of the diagonal of all parts. Throws NO_TRIANGLES if
 // no part would keep any, and INVALID_OPTION if the options name vertices of the input.
-Dropped dropSmallPieces(std::vector<io::Part>& parts, const RemeshOptions& options);
+Dropped dropSmallPieces(std::vector<io::Part>& parts, const PartOptions& options);
 
 // Triangles go that are hidden wherever the file shows their part, behind all parts. Parts that
 // move (with skins or morph targets) and coarser levels of detail stay whole.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/place.h"
+#include "jobs/checks/result_check.h"
 #include "measure/hausdorff.h"
 #include "mesh/mesh_builder.h"
 #include "remesh/schemes/chooser.h"
@@ -28,8 +29,6 @@ constexpr int kMostDoublings = 16;
 // Each time that there are still too many quads, by so much more of the budget fewer are asked for:
 // neighbouring numbers of vertices give the same quads.
 constexpr double kFewerQuads = 0.01;
-// A part is visibly dented from this share of its diagonal on.
-constexpr double kDented = 0.01;
 // A part of more corners, such as one of voxels, is reduced as far as the budget asks.
 constexpr std::size_t kMostCorners = 100;
 
@@ -46,7 +45,7 @@ std::size_t facesOf(const MeshReport& report) {
 }
 
 // Of triangles F = 2 V - 2 χ - B, of quads F = V - χ - B / 2.
-Index verticesFor(Index faces, const RemeshOptions& options, const MeshReport& input) {
+Index verticesFor(Index faces, const PartOptions& options, const MeshReport& input) {
   const double own = double(std::max<std::size_t>(input.triangles, 1));
   const double triangles = options.quads ? 2.0 * faces : faces;
   const double open = double(input.boundaryEdges) * std::sqrt(triangles / own) /
@@ -56,7 +55,7 @@ Index verticesFor(Index faces, const RemeshOptions& options, const MeshReport& i
   return Index(std::max(1.0, std::floor(vertices)));
 }
 
-FaceSearch::FaceSearch(const RemeshOptions& options, const MeshReport& input)
+FaceSearch::FaceSearch(const PartOptions& options, const MeshReport& input)
     : budget_(*options.faces),
       areQuads_(options.quads),
       facesPerVertex_(options.quads ? 1 : 2),
@@ -89,25 +88,25 @@ bool FaceSearch::take(const MeshReport& made) {
   return isBest;
 }
 
-bool isBudget(const RemeshOptions& options) {
+bool isBudget(const PartOptions& options) {
   return (options.faces || options.ratio) && options.tooFew == TooFew::Refuse;
 }
 
-std::size_t cornersOfPart(const TriangleMesh& input, const RemeshOptions& options) {
+std::size_t cornersOfPart(const TriangleMesh& input, const PartOptions& options) {
   if (!options.detectFeatures || options.quads) return 0;
   const BuiltMesh built = buildMesh(input);
   return isFaceted(built) ? countSharpCorners({built.mesh, built.positions}) : 0;
 }
 
-RemeshOutcome remeshToBudget(const TriangleMesh& input, Welding welding,
-                             const RemeshOptions& options, const Progress& progress) {
+RemeshOutcome remeshToBudget(const TriangleMesh& input, Welding welding, const PartOptions& options,
+                             const Progress& progress) {
   RemeshOutcome made = remeshSurface(input, welding, options, progress);
   const std::size_t corners = cornersOfPart(input, options);
   RemeshOutcome raised;
   const auto isRaisedNearer = [&] {
     const double away = awayOf(input, made);
     if (away <= kDented) return false;
-    RemeshOptions more = options;
+    PartOptions more = options;
     more.ratio.reset();
     more.vertices = Index(corners);
     raised = remeshSurface(input, std::move(welding), more, progress.part(1, 1));

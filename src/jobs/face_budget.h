@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-#include "base/options.h"
+#include "base/part_options.h"
 #include "base/progress.h"
 #include "base/report.h"
 #include "base/triangle_mesh.h"
@@ -19,13 +19,13 @@ std::size_t facesOf(const MeshReport& report);
 
 // The number of vertices of so many faces on a surface like the input, by its Euler characteristic
 // and its open edges, whose number goes with the square root of the faces. At least 1.
-Index verticesFor(Index faces, const RemeshOptions& options, const MeshReport& input);
+Index verticesFor(Index faces, const PartOptions& options, const MeshReport& input);
 
 // Results of one number of vertices after the other. A vertex more is two triangles more, or one
 // quad; how many vertices lie on boundaries is known only of results.
 class FaceSearch {
  public:
-  FaceSearch(const RemeshOptions& options, const MeshReport& input);
+  FaceSearch(const PartOptions& options, const MeshReport& input);
 
   // Of the next result.
   Index vertices() const { return next_; }
@@ -52,14 +52,14 @@ class FaceSearch {
 
 // Whether the number of vertices is a budget, of faces or as a share of the input's, that the
 // surface may raise: not that of a level of detail.
-bool isBudget(const RemeshOptions& options);
+bool isBudget(const PartOptions& options);
 
 // The corners of a part that is made of facets; 0 of other surfaces, and where features are off.
-std::size_t cornersOfPart(const TriangleMesh& input, const RemeshOptions& options);
+std::size_t cornersOfPart(const TriangleMesh& input, const PartOptions& options);
 
 // Remeshes within a budget. Where that visibly dents a part with more corners, but few of them, it
 // has as many vertices as corners: MORE_VERTICES_TAKEN. Throws the Errors of remeshSurface.
-RemeshOutcome remeshToBudget(const TriangleMesh& input, Welding welding,
-                             const RemeshOptions& options, const Progress& progress);
+RemeshOutcome remeshToBudget(const TriangleMesh& input, Welding welding, const PartOptions& options,
+                             const Progress& progress);
 
 }  // namespace remesher

@@ -37,7 +37,7 @@ Warning evenTakeMore(const std::string& need) {
 
 class FewestSearch {
  public:
-  FewestSearch(const TriangleMesh& input, const Welding& welding, const RemeshOptions& asked,
+  FewestSearch(const TriangleMesh& input, const Welding& welding, const PartOptions& asked,
                const Progress& progress)
       : input_(input), welding_(welding), asked_(asked), options_(asked), progress_(progress) {}
 
@@ -220,8 +220,8 @@ class FewestSearch {
 
   const TriangleMesh& input_;
   const Welding& welding_;
-  const RemeshOptions& asked_;
-  RemeshOptions options_;
+  const PartOptions& asked_;
+  PartOptions options_;
   const Progress& progress_;
   double done_ = 0;
   Bracket tried_;
@@ -230,21 +230,21 @@ class FewestSearch {
 
 }  // namespace
 
-bool hasNumber(const RemeshOptions& options) {
+bool hasNumber(const PartOptions& options) {
   return asksForNumber(options) || leadsByEdges(options);
 }
 
-bool asksForFewest(const RemeshOptions& options) {
+bool asksForFewest(const PartOptions& options) {
   return options.maxError && options.scheme == Scheme::Best &&
          (options.quads || options.prefer == Prefer::Shape || !hasNumber(options));
 }
 
-RemeshOutcome remeshToFewest(const TriangleMesh& input, Welding welding,
-                             const RemeshOptions& options, const Progress& progress) {
+RemeshOutcome remeshToFewest(const TriangleMesh& input, Welding welding, const PartOptions& options,
+                             const Progress& progress) {
   return FewestSearch(input, welding, options, progress).run();
 }
 
-RemeshOptions optionsOfLevels(RemeshOptions options, const Report& finest) {
+PartOptions optionsOfLevels(PartOptions options, const Report& finest) {
   const auto& notes = finest.warnings;
   const bool isRaised = std::any_of(notes.begin(), notes.end(), [](const Warning& note) {
     return note.code == "MORE_VERTICES_TAKEN";

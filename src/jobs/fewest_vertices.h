@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "base/options.h"
+#include "base/part_options.h"
 #include "base/progress.h"
 #include "base/report.h"
 #include "base/triangle_mesh.h"
@@ -37,23 +37,23 @@ struct Bracket {
 };
 
 // Whether the options give a number of vertices, in any way.
-bool hasNumber(const RemeshOptions& options);
+bool hasNumber(const PartOptions& options);
 
 // Whether the options give a bound and no number (scheme best). For quads and for a shape that is
 // preferred they may give a number, which is raised as the bound needs: neither is made within a
 // bound, but measured.
-bool asksForFewest(const RemeshOptions& options);
+bool asksForFewest(const PartOptions& options);
 
 // Drafts find the number within a tenth; if no draft keeps the bound, the vertices that the shape
 // needs are taken, or if they may not be, the input's own number.
 // Of a raised number the outcome says MaxError, also if no number is enough. ISOTROPIC_TAKES_MORE,
 // if the input's own triangles are taken, and uneven. Throws the Errors of remeshSurface.
-RemeshOutcome remeshToFewest(const TriangleMesh& input, Welding welding,
-                             const RemeshOptions& options, const Progress& progress);
+RemeshOutcome remeshToFewest(const TriangleMesh& input, Welding welding, const PartOptions& options,
+                             const Progress& progress);
 
 // The options that levels of detail take shares of. If the finest level's number was searched for,
 // or is above the input's because none was given, they have that number and no bound, which fewer
 // vertices would not keep.
-RemeshOptions optionsOfLevels(RemeshOptions options, const Report& finest);
+PartOptions optionsOfLevels(PartOptions options, const Report& finest);
 
 }  // namespace remesher

@@ -78,7 +78,7 @@ InspectedParts::InspectedParts(const std::vector<io::Part>& given, const Progres
   report_.diagonal = worldDiagonal(given_);
 }
 
-RemeshOptions InspectedParts::applied(RemeshOptions options) const {
+PartOptions InspectedParts::applied(PartOptions options) const {
   if (orders_.size() == 1) {
     if (isDensityValid(options.density)) putInOrder(options.density, orders_.front());
     options.featureEdges =

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/input_place.h"
-#include "base/options.h"
+#include "base/part_options.h"
 #include "base/progress.h"
 #include "base/report.h"
 #include "io/model/model.h"
@@ -30,7 +30,7 @@ class InspectedParts {
   const MeshReport& report() const { return report_; }
 
   // The options for these parts: lengths, and numbers of vertices.
-  RemeshOptions applied(RemeshOptions options) const;
+  PartOptions applied(PartOptions options) const;
 
   // Results at the sizes and places of the given parts. A part that is what it was comes back as it
   // was given.

@@ -24,7 +24,7 @@ namespace remesher {
 
 namespace {
 
-bool leavesOut(const RemeshOptions& options) {
+bool leavesOut(const PartOptions& options) {
   return options.dropBelow || options.dropFloaters || options.dropHidden;
 }
 
@@ -47,7 +47,7 @@ std::vector<char> withoutEmpty(std::vector<io::Part>& parts) {
 }
 
 // Whether the number of vertices depends on the input's number.
-bool isByInput(const RemeshOptions& options) {
+bool isByInput(const PartOptions& options) {
   return !options.vertices && !options.faces && !options.edgeLength && !leadsByEdges(options) &&
          (options.ratio || !options.maxError);
 }
@@ -126,12 +126,12 @@ bool areSame(const std::vector<io::Part>& some, const std::vector<io::Part>& oth
 
 }  // namespace
 
-double mendShare(const RemeshOptions& options) {
+double mendShare(const PartOptions& options) {
   return options.repair == Repair::Off && !leavesOut(options) ? 0 : 0.1;
 }
 
-Mending::Mending(std::vector<io::Part>& parts, const RemeshOptions& options,
-                 const Progress& progress, Purpose purpose)
+Mending::Mending(std::vector<io::Part>& parts, const PartOptions& options, const Progress& progress,
+                 Purpose purpose)
     : isGone_(parts.size(), 0) {
   for (const io::Part& part : parts) sources_.push_back(part.source);
   if (options.repair == Repair::Off && !leavesOut(options)) return;
@@ -148,17 +148,17 @@ Mending::Mending(std::vector<io::Part>& parts, const RemeshOptions& options,
   });
 }
 
-void Mending::dropPieces(std::vector<io::Part>& parts, const RemeshOptions& options) {
+void Mending::dropPieces(std::vector<io::Part>& parts, const PartOptions& options) {
   if (!options.dropBelow && !options.dropFloaters) return;
   take(dropSmallPieces(parts, options));
   isGone_ = withoutEmpty(parts);
 }
 
-void Mending::repair(std::vector<io::Part>& parts, const RemeshOptions& options,
+void Mending::repair(std::vector<io::Part>& parts, const PartOptions& options,
                      const Progress& progress, Purpose purpose) {
   if (options.repair == Repair::Off) return;
   requireRoomToRepair(parts);
-  RemeshOptions sized = options;
+  PartOptions sized = options;
   if (options.faces) sized.vertices = verticesFor(*options.faces, options, {});
   const bool isSized = purpose == Purpose::Remeshing && isByInput(options);
   const MeshReport given = dropped_ ? inspectScaled(parts) : input_;
@@ -174,7 +174,7 @@ void Mending::repair(std::vector<io::Part>& parts, const RemeshOptions& options,
     ratio_ = target / double(mended);
 }
 
-void Mending::dropHidden(std::vector<io::Part>& parts, const RemeshOptions& options) {
+void Mending::dropHidden(std::vector<io::Part>& parts, const PartOptions& options) {
   if (!options.dropHidden) return;
   take(dropHiddenTriangles(parts, repair_ ? Hidden::Pieces : Hidden::Triangles));
   const std::vector<char> isEmpty = withoutEmpty(parts);
@@ -200,7 +200,7 @@ void Mending::take(Dropped dropped) {
   dropped_->warnings = joined(std::move(dropped_->warnings), dropped.warnings);
 }
 
-RemeshOptions Mending::chosen(RemeshOptions options) const {
+PartOptions Mending::chosen(PartOptions options) const {
   if (repair_ && (options.repair == Repair::Auto || options.repair == Repair::Solid))
     options.repair = repair_->isRemade ? Repair::Solid : Repair::Holes;
   if (ratio_) {
@@ -230,7 +230,7 @@ void Mending::note(SceneRun& run, Held held) const {
   recountMeeting(run.report, run.parts);
 }
 
-RemeshOptions withPaint(RemeshOptions options, io::Model& model) {
+PartOptions withPaint(PartOptions options, io::Model& model) {
   if (options.textures != Textures::Auto || model.conventions != io::Conventions::Gltf)
     return options;
   options.textures = Textures::Bake;
@@ -247,7 +247,7 @@ std::vector<io::Part> Mending::kept(std::vector<io::Part> given) const {
 }
 
 RepairedParts repairOnly(std::vector<io::Part>& parts, Held held, IfSound ifSound,
-                         const RemeshOptions& options, const Progress& progress) {
+                         const PartOptions& options, const Progress& progress) {
   const std::vector<io::Part> given = parts;
   parts = joinedPlaces(std::move(parts), options);
   const std::vector<io::Part> originals = parts;

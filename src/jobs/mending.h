@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "base/options.h"
+#include "base/part_options.h"
 #include "base/progress.h"
 #include "base/report.h"
 #include "io/model/model.h"
@@ -18,7 +18,7 @@
 namespace remesher {
 
 // The approximate share of a run's time.
-double mendShare(const RemeshOptions& options);
+double mendShare(const PartOptions& options);
 
 // Repairs the parts in place, leaves out small and hidden pieces if asked to, and keeps the
 // reports. Small pieces go before repair, hidden triangles afterwards. A part that keeps no
@@ -28,13 +28,13 @@ class Mending {
   // Before remeshing the surface is as fine as the target asks for.
   enum class Purpose { Remeshing, Itself };
 
-  Mending(std::vector<io::Part>& parts, const RemeshOptions& options, const Progress& progress,
+  Mending(std::vector<io::Part>& parts, const PartOptions& options, const Progress& progress,
           Purpose purpose = Purpose::Remeshing);
 
   // The options with the way of repair that was chosen, if the choice was repair's own. Without a
   // number of vertices, `ratio` is a share of the input's number, not of the repaired one, which
   // may be many times larger; where both are equal the number stays open.
-  RemeshOptions chosen(RemeshOptions options) const;
+  PartOptions chosen(PartOptions options) const;
 
   // Whether a lattice has replaced the triangles of any part.
   bool isRemade() const { return repair_ && repair_->isRemade; }
@@ -53,10 +53,10 @@ class Mending {
   std::vector<int> leftOut() const;
 
  private:
-  void dropPieces(std::vector<io::Part>& parts, const RemeshOptions& options);
-  void repair(std::vector<io::Part>& parts, const RemeshOptions& options, const Progress& progress,
+  void dropPieces(std::vector<io::Part>& parts, const PartOptions& options);
+  void repair(std::vector<io::Part>& parts, const PartOptions& options, const Progress& progress,
               Purpose purpose);
-  void dropHidden(std::vector<io::Part>& parts, const RemeshOptions& options);
+  void dropHidden(std::vector<io::Part>& parts, const PartOptions& options);
   void take(Dropped dropped);
 
   MeshReport input_;
@@ -82,11 +82,11 @@ struct RepairedParts {
 // Repairs the parts in place. The report describes them as the file holds them, and lacks only the
 // times.
 RepairedParts repairOnly(std::vector<io::Part>& parts, Held held, IfSound ifSound,
-                         const RemeshOptions& options, const Progress& progress);
+                         const PartOptions& options, const Progress& progress);
 
 // Sets textures to be baked if the options leave it open and repair has made another surface
 // (more than closed holes), because charts may end anywhere on it. Adds a warning to the model.
-RemeshOptions withPaint(RemeshOptions options, io::Model& model);
+PartOptions withPaint(PartOptions options, io::Model& model);
 
 // The parts that are not gone.
 std::vector<io::Part> without(std::vector<io::Part> parts, const std::vector<char>& isGone);

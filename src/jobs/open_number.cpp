@@ -60,7 +60,7 @@ Warning takesMore(double enough, std::size_t own) {
 
 class OpenNumber {
  public:
-  OpenNumber(const TriangleMesh& input, const Welding& welding, const RemeshOptions& asked,
+  OpenNumber(const TriangleMesh& input, const Welding& welding, const PartOptions& asked,
              const Progress& progress, double mostTried)
       : input_(input),
         welding_(welding),
@@ -117,7 +117,7 @@ class OpenNumber {
 
   // The number of runs is unknown: after the first, progress stands at its end.
   RemeshOutcome runAt(double vertices, Quality quality) const {
-    RemeshOptions options = asked_;
+    PartOptions options = asked_;
     options.vertices = Index(std::ceil(vertices));
     options.quality = quality;
     return remeshSurface(input_, welding_, options, progress_.part(1, 1));
@@ -125,7 +125,7 @@ class OpenNumber {
 
   const TriangleMesh& input_;
   const Welding& welding_;
-  const RemeshOptions& asked_;
+  const PartOptions& asked_;
   const Progress& progress_;
   const double mostTried_;  // beyond those that are taken
   double wouldSuffice_ = 0;
@@ -133,19 +133,19 @@ class OpenNumber {
 
 }  // namespace
 
-bool leavesNumberOpen(const RemeshOptions& options) {
+bool leavesNumberOpen(const PartOptions& options) {
   return !hasNumber(options) && !options.maxError && options.scheme == Scheme::Best &&
          options.prefer == Prefer::Auto && !isRemade(options.repair) && !options.quads &&
          options.bodies.empty();
 }
 
 RemeshOutcome remeshAtOpenNumber(const TriangleMesh& input, Welding welding,
-                                 const RemeshOptions& options, const Progress& progress) {
+                                 const PartOptions& options, const Progress& progress) {
   return OpenNumber(input, welding, options, progress, kMostTried).run();
 }
 
 RemeshOutcome remeshNearOpenNumber(const TriangleMesh& input, Welding welding,
-                                   const RemeshOptions& options, const Progress& progress) {
+                                   const PartOptions& options, const Progress& progress) {
   return OpenNumber(input, welding, options, progress, 0).run();
 }
 

@@ -75,7 +75,7 @@ Eigen::AlignedBox3d boxInWorld(const io::Part& part) {
 // Per part what is wished for its lattice, in its units: as for one mesh of all parts. None for a
 // part alone, unless an edge length in the world is asked for.
 std::vector<std::optional<double>> spacingsOf(const std::vector<io::Part>& parts,
-                                              const RemeshOptions& options) {
+                                              const PartOptions& options) {
   std::vector<std::optional<double>> spacings(parts.size());
   if (parts.size() < 2 && !options.edgeLength) return spacings;
   const std::vector<PartPlace> places = placesOf(parts);
@@ -159,7 +159,7 @@ bool isOpened(const TriangleMesh& closed, const TriangleMesh& result) {
 
 }  // namespace
 
-PartsRepair repairParts(std::vector<io::Part> parts, const RemeshOptions& options,
+PartsRepair repairParts(std::vector<io::Part> parts, const PartOptions& options,
                         const Progress& progress) {
   const PartFrames scale(parts);
   PartsRepair result{scale.isNeeded() ? scale.applied(parts) : parts, {}, {}};
@@ -168,7 +168,7 @@ PartsRepair repairParts(std::vector<io::Part> parts, const RemeshOptions& option
   std::vector<PlacedWarning> warnings;
   std::vector<Sources> sources(parts.size());
   for (const io::Part& part : parts) total += double(part.mesh.triangleCount());
-  RemeshOptions own = scale.isNeeded() ? scale.applied(options) : options;
+  PartOptions own = scale.isNeeded() ? scale.applied(options) : options;
   const std::vector<std::optional<double>> spacings = spacingsOf(result.parts, own);
   for (std::size_t i = 0; i < result.parts.size(); ++i) {
     io::Part& part = result.parts[i];

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "base/options.h"
+#include "base/part_options.h"
 #include "base/progress.h"
 #include "base/report.h"
 #include "io/model/model.h"
@@ -21,7 +21,7 @@ struct PartsRepair {
 };
 
 // Throws the Errors of repairSurface.
-PartsRepair repairParts(std::vector<io::Part> parts, const RemeshOptions& options,
+PartsRepair repairParts(std::vector<io::Part> parts, const PartOptions& options,
                         const Progress& progress);
 
 // PARTS_MEET, if triangles of parts intersect those of others, which no repair of a part mends.

@@ -23,20 +23,20 @@ namespace remesher {
 
 namespace {
 
-using Run = RemeshOutcome (*)(const TriangleMesh&, Welding, const RemeshOptions&, const Progress&);
+using Run = RemeshOutcome (*)(const TriangleMesh&, Welding, const PartOptions&, const Progress&);
 
-RemeshOutcome runOn(PartInput part, Run remeshed, const RemeshOptions& options,
+RemeshOutcome runOn(PartInput part, Run remeshed, const PartOptions& options,
                     const Progress& progress) {
   const auto stretch = stretchAt(part.place.toWorld);
   const auto inPercents = [&](const TriangleMesh& shown) {
-    RemeshOptions own = withPercentsOf(shown, growthOf(part.place.toWorld), options);
+    PartOptions own = withPercentsOf(shown, growthOf(part.place.toWorld), options);
     if (own.maxError) *own.maxError /= part.place.elsewhere;
     return own;
   };
   if (!stretch)
     return remeshed(part.mesh, std::move(part.welding), inPercents(part.mesh), progress);
   const TriangleMesh shown = stretched(part.mesh, *stretch);
-  RemeshOptions own = inPercents(shown);
+  PartOptions own = inPercents(shown);
   for (Guide& guide : own.guides)
     for (Vec3& p : guide.points) p = *stretch * p;
   RemeshOutcome outcome = remeshed(shown, std::move(part.welding), own, progress);
@@ -50,15 +50,14 @@ bool keepsCorners(const PartTarget& target) {
   return target.targets.order().size() == 1 && isBudget(target.targets.of(target.surface));
 }
 
-RemeshOptions optionsFor(const PartTarget& target) {
-  RemeshOptions options =
-      target.unions.optionsOf(target.surface, target.targets.of(target.surface));
+PartOptions optionsFor(const PartTarget& target) {
+  PartOptions options = target.unions.optionsOf(target.surface, target.targets.of(target.surface));
   options.guides = target.guides;
   return options;
 }
 
 // A budget of triangles that is too small is raised.
-RemeshOutcome remeshPart(PartInput part, const RemeshOptions& options, bool isOfBudget,
+RemeshOutcome remeshPart(PartInput part, const PartOptions& options, bool isOfBudget,
                          const Progress& progress) {
   const bool isRaised = isOfBudget && !options.quads && !options.maxError && options.bodies.empty();
   const Run remeshed = asksForFewest(options)      ? Run(remeshToFewest)
@@ -71,7 +70,7 @@ RemeshOutcome remeshPart(PartInput part, const RemeshOptions& options, bool isOf
   try {
     return runOn(part, remeshed, options, progress);
   } catch (const TooFewVertices&) {
-    RemeshOptions raised = options;
+    PartOptions raised = options;
     raised.tooFew = TooFew::Raise;
     return runOn(std::move(part), remeshed, raised, progress);
   }
@@ -111,7 +110,7 @@ bool mayReplace(const TriangleMesh& original, const RemeshOutcome& crossed,
 RemeshOutcome remeshAsShown(PartInput part, const PartTarget& target, const Progress& progress) {
   const TriangleMesh& mesh = part.mesh;
   try {
-    RemeshOptions options = optionsFor(target);
+    PartOptions options = optionsFor(target);
     RemeshOutcome outcome = remeshPart(part, options, keepsCorners(target), progress);
     if (options.repair == Repair::Off) return outcome;
     const Rule& rule = choose(Decision::Repaired, [&](Fact fact) {
@@ -140,7 +139,7 @@ RemeshOutcome remeshAsShown(PartInput part, const PartTarget& target, const Prog
 
 UncrossedOutcome uncrossedAsShown(const ShownMesh& part, const PartTarget& target,
                                   RemeshOutcome made, const Progress& progress) {
-  RemeshOptions options = optionsFor(target);
+  PartOptions options = optionsFor(target);
   // After repair they are looked for in the rounded mesh.
   if (options.repair != Repair::Off) return {std::move(made), {}};
   bool isCrossed = false;

@@ -10,7 +10,7 @@ namespace remesher {
 
 namespace {
 
-std::vector<io::Part>& joinedIn(std::vector<io::Part>& parts, const RemeshOptions& options) {
+std::vector<io::Part>& joinedIn(std::vector<io::Part>& parts, const PartOptions& options) {
   parts = joinedPlaces(std::move(parts), options);
   if (options.quads) parts = cutAlongShorter(std::move(parts));
   return parts;
@@ -18,7 +18,7 @@ std::vector<io::Part>& joinedIn(std::vector<io::Part>& parts, const RemeshOption
 
 }  // namespace
 
-PreparedParts::PreparedParts(PreparationInput input, const RemeshOptions& options,
+PreparedParts::PreparedParts(PreparationInput input, const PartOptions& options,
                              const Progress& progress)
     : thinned_(thinnedParts(joinedIn(input.parts, options), options, input.slabs)),
       given_(input.keepsGiven ? input.parts : std::vector<io::Part>()),

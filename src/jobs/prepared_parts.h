@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "base/options.h"
+#include "base/part_options.h"
 #include "base/progress.h"
 #include "io/model/model.h"
 #include "jobs/mending.h"
@@ -26,11 +26,11 @@ class PreparedParts {
  public:
   // Changes the parts of the input in place; these must outlive the object. Throws the Errors of
   // the steps.
-  PreparedParts(PreparationInput input, const RemeshOptions& options, const Progress& progress);
+  PreparedParts(PreparationInput input, const PartOptions& options, const Progress& progress);
 
   // The parts to be remeshed, and the options for them.
   const std::vector<io::Part>& parts() const { return touching_.parts(); }
-  const RemeshOptions& options() const { return chosen_; }
+  const PartOptions& options() const { return chosen_; }
 
   const Mending& mending() const { return mending_; }
   // The parts before they were mended, those that are left; empty if they were not kept.
@@ -44,7 +44,7 @@ class PreparedParts {
   std::vector<io::Part> given_;
   Mending mending_;
   TouchingParts touching_;
-  RemeshOptions chosen_;
+  PartOptions chosen_;
 };
 
 }  // namespace remesher

@@ -22,7 +22,7 @@ void requireAlone(bool isAlone, const std::string& message, const std::string& h
   if (!isAlone) throw Error(ErrorCode::InvalidOption, message, hint);
 }
 
-void checkRegion(const std::vector<io::Part>& parts, const RemeshOptions& options) {
+void checkRegion(const std::vector<io::Part>& parts, const PartOptions& options) {
   requireAlone(parts.size() == 1,
                "region needs one mesh, not " + std::to_string(parts.size()) + ".",
                "Give the meshes one by one.");
@@ -132,7 +132,7 @@ void removeVertices(TriangleMesh& mesh, const std::vector<char>& isRemoved) {
 
 }  // namespace
 
-RegionRun::RegionRun(std::vector<io::Part>& parts, const RemeshOptions& options) {
+RegionRun::RegionRun(std::vector<io::Part>& parts, const PartOptions& options) {
   if (options.region.empty()) return;
   checkRegion(parts, options);
   io::Part& part = parts.front();
@@ -185,7 +185,7 @@ void RegionRun::takeOut(io::Part& part) {
   part.mesh = std::move(inside);
 }
 
-RemeshOptions RegionRun::applied(RemeshOptions options) const {
+PartOptions RegionRun::applied(PartOptions options) const {
   if (!whole_) return options;
   options.region.clear();
   options.boundary = Boundary::Keep;

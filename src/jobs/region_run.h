@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "base/options.h"
+#include "base/part_options.h"
 #include "io/model/model.h"
 #include "jobs/scene_run.h"
 #include "remesh/schemes/targets.h"
@@ -18,11 +18,11 @@ class RegionRun {
   // Takes the triangles of the options' region out of the only part; does nothing without a region.
   // Throws INVALID_OPTION for several parts, and for triangles that do not exist; the Errors
   // of requireValid.
-  RegionRun(std::vector<io::Part>& parts, const RemeshOptions& options);
+  RegionRun(std::vector<io::Part>& parts, const PartOptions& options);
 
   // The options for the region: its share of the number of vertices or faces, its border kept.
   // Throws TARGET_TOO_SMALL if the others alone have more.
-  RemeshOptions applied(RemeshOptions options) const;
+  PartOptions applied(PartOptions options) const;
 
   // What `run` returns; numbers in its errors become those of the whole.
   template <class Run>

@@ -80,7 +80,7 @@ struct SceneInput {
 // Remeshes the surfaces of a scene one by one.
 class SurfaceRuns {
  public:
-  SurfaceRuns(SceneRun& run, const SceneInput& input, const RemeshOptions& options)
+  SurfaceRuns(SceneRun& run, const SceneInput& input, const PartOptions& options)
       : run_(run),
         originals_(input.originals),
         options_(options),
@@ -157,7 +157,7 @@ class SurfaceRuns {
 
   SceneRun& run_;
   const InspectedParts& originals_;
-  const RemeshOptions& options_;
+  const PartOptions& options_;
   const PartUnions unions_;
   const std::vector<PartPlace> places_;  // per surface
   PartTargets targets_;
@@ -173,7 +173,7 @@ void addMaking(QuadReport& quads, const SceneRun& run) {
   quads.paired = run.paired;
 }
 
-void measure(SceneRun& run, const InspectedParts& originals, const RemeshOptions& options,
+void measure(SceneRun& run, const InspectedParts& originals, const PartOptions& options,
              std::optional<ListedTree> tree) {
   run.report.output = inspectParts(run.parts, weldingsOf(run.parts), placesOf(run.parts));
   if (std::optional<QuadReport>& quads = run.report.output->quads) addMaking(*quads, run);
@@ -187,7 +187,7 @@ void measure(SceneRun& run, const InspectedParts& originals, const RemeshOptions
 
 // Adds the warnings on a result, both as the file holds them.
 void warnOf(Report& report, const PartPairs& parts, const MadeCrossings& crossings,
-            const RemeshOptions& wanted) {
+            const PartOptions& wanted) {
   for (const std::vector<Warning>& more :
        {warningsOf(crossings, parts.results), resultWarnings(report, parts.results, wanted),
         bordersOffGiven(parts.originals, parts.results), dentedPart(report, parts, wanted)})
@@ -200,14 +200,14 @@ void warnOf(Report& report, const PartPairs& parts, const MadeCrossings& crossin
 }
 
 // Measures what was wanted of each edge and triangle, and warns where it is not so.
-void certify(SceneRun& run, const std::vector<io::Part>& results, const RemeshOptions& wanted) {
+void certify(SceneRun& run, const std::vector<io::Part>& results, const PartOptions& wanted) {
   run.report.output->wanted = wantedOf(results, wanted);
   run.report.warnings = joined(std::move(run.report.warnings),
                                wantedMissed(*run.report.output, results, wanted, run.unmet));
 }
 
 // Describes several parts as the one surface that they are in the file.
-void describeAsOne(SceneRun& run, const InspectedParts& originals, const RemeshOptions& wanted) {
+void describeAsOne(SceneRun& run, const InspectedParts& originals, const PartOptions& wanted) {
   const std::vector<io::Part> given = asHeld(originals.given(), Held::AsOne);
   const std::vector<io::Part> made = asHeld(run.parts, Held::AsOne);
   const std::vector<PartPlace> places = placesOf(given);
@@ -219,10 +219,10 @@ void describeAsOne(SceneRun& run, const InspectedParts& originals, const RemeshO
   certify(run, made, wanted);
 }
 
-SceneRun remeshInspected(const SceneInput& input, const RemeshOptions& wanted,
+SceneRun remeshInspected(const SceneInput& input, const PartOptions& wanted,
                          const Progress& progress) {
   const InspectedParts& originals = input.originals;
-  const RemeshOptions options = originals.applied(wanted);
+  const PartOptions options = originals.applied(wanted);
   SceneRun run = begun(originals);
   std::optional<ListedTree> tree = SurfaceRuns(run, input, options).all(progress);
   progress.phase("measure", 1 - kMeasureShare, 1);
@@ -243,14 +243,14 @@ SceneRun remeshInspected(const SceneInput& input, const RemeshOptions& wanted,
 }
 
 // Whether simplification, the nearest for a number of vertices, may make a scene or a level.
-bool maySimplify(const RemeshOptions& options) {
+bool maySimplify(const PartOptions& options) {
   return options.prefer == Prefer::Auto && options.scheme == Scheme::Best && !options.quads &&
          !options.splitObtuse && options.boundary == Boundary::Resample && options.density.empty();
 }
 
 // Remeshes with one number of vertices after the other, until the result has as many faces as the
 // budget allows. Most results meet it at once; later tries show no progress.
-SceneRun remeshTowards(const SceneInput& input, RemeshOptions options, const Progress& progress) {
+SceneRun remeshTowards(const SceneInput& input, PartOptions options, const Progress& progress) {
   FaceSearch search(options, input.originals.report());
   std::optional<SceneRun> best;
   while (!search.isSettled()) {
@@ -271,10 +271,10 @@ SceneRun remeshTowards(const SceneInput& input, RemeshOptions options, const Pro
 }
 
 // Simplification takes no more triangles than are given: the budget is the most that there may be.
-SceneRun remeshInBudget(const SceneInput& input, const RemeshOptions& wanted,
+SceneRun remeshInBudget(const SceneInput& input, const PartOptions& wanted,
                         const Progress& progress) {
   if (!wanted.faces) return remeshInspected(input, wanted, progress);
-  RemeshOptions options = wanted;
+  PartOptions options = wanted;
   const std::size_t given = input.originals.report().triangles;
   if (options.prefer == Prefer::Shape && !options.quads)
     options.faces = Index(std::min(std::size_t{*options.faces}, given));
@@ -282,7 +282,7 @@ SceneRun remeshInBudget(const SceneInput& input, const RemeshOptions& wanted,
   SceneRun simplified;
   const auto isSimplifiedWithin = [&] {
     if (!maySimplify(options)) return false;
-    RemeshOptions shape = options;
+    PartOptions shape = options;
     shape.prefer = Prefer::Shape;
     simplified = remeshTowards(input, shape, progress.part(1, 1));
     return facesOf(*simplified.report.output) < facesOf(*made.report.output);
@@ -298,7 +298,7 @@ SceneRun remeshInBudget(const SceneInput& input, const RemeshOptions& wanted,
 
 // The options of a level of detail: a share of the whole's target, raised to the fewest vertices
 // that the surface needs. A budget may be more than the finest level has.
-RemeshOptions optionsOfLevel(RemeshOptions options, double share, const Report& finest) {
+PartOptions optionsOfLevel(PartOptions options, double share, const Report& finest) {
   options.lods.clear();
   options.tooFew = TooFew::Raise;
   if (options.faces) {
@@ -315,7 +315,7 @@ RemeshOptions optionsOfLevel(RemeshOptions options, double share, const Report& 
 }
 
 // The options of a level of so many vertices, whose distance decides.
-RemeshOptions optionsOfPixels(RemeshOptions options, Index vertices) {
+PartOptions optionsOfPixels(PartOptions options, Index vertices) {
   if (maySimplify(options)) options.prefer = Prefer::Shape;
   options.lods.clear();
   options.tooFew = TooFew::Raise;
@@ -331,7 +331,7 @@ RemeshOptions optionsOfPixels(RemeshOptions options, Index vertices) {
 // The coarser levels that were asked for, each by levelOf(share of the vertices, or their number;
 // the level before it, progress).
 template <class LevelOf>
-std::vector<SceneRun> coarserLevels(const SceneRun& finest, const RemeshOptions& options,
+std::vector<SceneRun> coarserLevels(const SceneRun& finest, const PartOptions& options,
                                     const Progress& progress, LevelOf levelOf) {
   std::vector<SceneRun> runs;
   const double count = double(options.lods.size());
@@ -350,7 +350,7 @@ std::vector<SceneRun> coarserLevels(const SceneRun& finest, const RemeshOptions&
   return runs;
 }
 
-std::vector<SceneRun> remeshCoarser(const SceneInput& input, const RemeshOptions& options,
+std::vector<SceneRun> remeshCoarser(const SceneInput& input, const PartOptions& options,
                                     const SceneRun& finest, const Progress& progress) {
   return coarserLevels(
       finest, options, progress, [&](double amount, const SceneRun&, const Progress& part) {
@@ -361,8 +361,8 @@ std::vector<SceneRun> remeshCoarser(const SceneInput& input, const RemeshOptions
 }
 
 // The options of a level that is simplified from the finest one.
-RemeshOptions optionsOfSimplified(const RemeshOptions& wanted, double share, const Report& finest) {
-  RemeshOptions options;
+PartOptions optionsOfSimplified(const PartOptions& wanted, double share, const Report& finest) {
+  PartOptions options;
   options.prefer = Prefer::Shape;
   options.textures = Textures::Keep;
   options.quality = wanted.quality;
@@ -377,7 +377,7 @@ RemeshOptions optionsOfSimplified(const RemeshOptions& wanted, double share, con
 }
 
 // A level simplified from the finest one; the finest one again if nothing of it can go.
-SceneRun simplified(const InspectedParts& finest, const RemeshOptions& options,
+SceneRun simplified(const InspectedParts& finest, const PartOptions& options,
                     const SceneRun& otherwise, const Progress& progress) {
   try {
     return remeshInBudget({finest, Held::Apart}, options, progress);
@@ -399,7 +399,7 @@ Held heldIn(const std::string& outputName) {
   return io::canHold(outputName, io::kHoldsMeshes) ? Held::Apart : Held::AsOne;
 }
 
-SceneRun remeshParts(const std::vector<io::Part>& originals, const RemeshOptions& options,
+SceneRun remeshParts(const std::vector<io::Part>& originals, const PartOptions& options,
                      const Progress& progress) {
   progress.phase("inspect", 0, 0);
   return withinMemory([&] {
@@ -409,7 +409,7 @@ SceneRun remeshParts(const std::vector<io::Part>& originals, const RemeshOptions
 }
 
 std::vector<SceneRun> remeshLevels(const std::vector<io::Part>& originals, Held held,
-                                   const RemeshOptions& options, const Progress& progress) {
+                                   const PartOptions& options, const Progress& progress) {
   progress.phase("inspect", 0, 0);
   return withinMemory([&] {
     const InspectedParts inspected(originals);
@@ -431,7 +431,7 @@ std::vector<SceneRun> remeshLevels(const std::vector<io::Part>& originals, Held 
 }
 
 std::vector<SceneRun> simplifiedLevels(const std::vector<io::Part>& originals,
-                                       const SceneRun& finest, const RemeshOptions& options,
+                                       const SceneRun& finest, const PartOptions& options,
                                        const Progress& progress) {
   return withinMemory([&] {
     const InspectedParts inspected(finest.parts);

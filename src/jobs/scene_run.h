@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "base/options.h"
+#include "base/part_options.h"
 #include "base/progress.h"
 #include "base/report.h"
 #include "io/model/model.h"
@@ -30,20 +30,20 @@ Held heldIn(const std::string& outputName);
 
 // Remeshes parts of any size, for a file that holds each by itself; the options' levels of detail
 // are left out. Throws the Errors of requireValid, of remeshSurface and of PartTargets.
-SceneRun remeshParts(const std::vector<io::Part>& originals, const RemeshOptions& options,
+SceneRun remeshParts(const std::vector<io::Part>& originals, const PartOptions& options,
                      const Progress& progress);
 
 // All levels of detail, each from the originals. The finest is the first: it is remeshed with the
 // options as given, and its report has those of the others. Reports describe the parts as the file
 // holds them.
 std::vector<SceneRun> remeshLevels(const std::vector<io::Part>& originals, Held held,
-                                   const RemeshOptions& options, const Progress& progress);
+                                   const PartOptions& options, const Progress& progress);
 
 // The coarser levels of detail of a painted result, simplified from it: their corners keep its
 // attributes, so that all levels share its maps. originals: what the result was made of, to which
 // the distances refer. A level that cannot be as coarse as asked for is as coarse as it can be.
 std::vector<SceneRun> simplifiedLevels(const std::vector<io::Part>& originals,
-                                       const SceneRun& finest, const RemeshOptions& options,
+                                       const SceneRun& finest, const PartOptions& options,
                                        const Progress& progress);
 
 }  // namespace remesher

@@ -27,13 +27,13 @@ namespace {
 constexpr std::size_t kMostSamples = 500'000;
 
 // Whether what is remeshed is another surface, of which the size is not known yet.
-bool isMended(const RemeshOptions& options) {
+bool isMended(const PartOptions& options) {
   return options.repair != Repair::Off || options.dropBelow || options.lengths.dropBelow ||
          options.dropFloaters || options.dropHidden;
 }
 
 // The option that needs the original itself; empty if none does.
-std::string_view needingAll(const RemeshOptions& options) {
+std::string_view needingAll(const PartOptions& options) {
   struct Need {
     std::string_view name;
     bool isGiven;
@@ -58,7 +58,7 @@ std::string_view needingAll(const RemeshOptions& options) {
 }
 
 // The vertices asked for; of an edge length and of no number it is not known yet.
-std::optional<double> askedVertices(const RemeshOptions& options, double given) {
+std::optional<double> askedVertices(const PartOptions& options, double given) {
   std::optional<double> asked;
   if (options.ratio) asked = *options.ratio * given;
   if (options.faces) asked = double(*options.faces) / 2;
@@ -176,7 +176,7 @@ void requireRoomToRemesh(const std::vector<io::Part>& parts, const Thinning& thi
   refuseToRemesh(needs, way, limits.addresses);
 }
 
-void requireOneScan(const std::vector<io::Part>& parts, const RemeshOptions& options,
+void requireOneScan(const std::vector<io::Part>& parts, const PartOptions& options,
                     const ScanSlabs& slabs, bool isNumbered) {
   const bool isOther = options.ratio || options.weld || options.lengths.weld ||
                        slabs.only > slabs.count || (slabs.only > 0 && !options.lods.empty());
@@ -204,7 +204,7 @@ std::vector<Warning> roomWarnings(const std::vector<io::Part>& parts,
   return warnings;
 }
 
-ThinnedParts::ThinnedParts(std::vector<io::Part>& parts, const RemeshOptions& options,
+ThinnedParts::ThinnedParts(std::vector<io::Part>& parts, const PartOptions& options,
                            const ThinningLimits& limits, const ScanSlabs& slabs)
     : slabs_(slabs) {
   std::string_view hindrance = needingAll(options);
@@ -225,7 +225,7 @@ ThinnedParts::ThinnedParts(std::vector<io::Part>& parts, const RemeshOptions& op
   if (isFineEnough) withinMemory([&] { thinOutFine(parts, options, limits); });
 }
 
-void ThinnedParts::thinOutFine(std::vector<io::Part>& parts, const RemeshOptions& options,
+void ThinnedParts::thinOutFine(std::vector<io::Part>& parts, const PartOptions& options,
                                const ThinningLimits& limits) {
   ThinOut wanted;
   wanted.repeated = &repeated_;
@@ -284,7 +284,7 @@ void ThinnedParts::noteLeft(const TriangleMesh& mesh) {
   removed_ -= countWithoutPlaces(mesh);
 }
 
-RemeshOptions ThinnedParts::applied(RemeshOptions options) const {
+PartOptions ThinnedParts::applied(PartOptions options) const {
   if (!isThinned() || !options.ratio || options.vertices) return options;
   options.vertices = Index(std::max(1LL, std::llround(*options.ratio * double(input_.vertices))));
   options.ratio.reset();
@@ -305,7 +305,7 @@ FidelityReport ThinnedParts::measured(const SceneRun& run) const {
 }
 
 std::unique_ptr<const ThinnedParts> thinnedParts(std::vector<io::Part>& parts,
-                                                 const RemeshOptions& options,
+                                                 const PartOptions& options,
                                                  const ScanSlabs& slabs) {
   auto thinned = std::make_unique<const ThinnedParts>(parts, options, ThinningLimits{}, slabs);
   return thinned->isThinned() ? std::move(thinned) : nullptr;

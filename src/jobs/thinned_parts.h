@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "base/options.h"
+#include "base/part_options.h"
 #include "base/report.h"
 #include "base/room.h"
 #include "io/model/model.h"
@@ -36,20 +36,20 @@ class ThinnedParts {
   // OUT_OF_MEMORY, before the work, for what then has no room. If slabs are asked for, the only
   // part is thinned out in these, whatever its size, or becomes the slab asked for; throws
   // INVALID_OPTION if that cannot be.
-  ThinnedParts(std::vector<io::Part>& parts, const RemeshOptions& options,
+  ThinnedParts(std::vector<io::Part>& parts, const PartOptions& options,
                const ThinningLimits& limits = {}, const ScanSlabs& slabs = {});
 
   bool isThinned() const { return given_ > left_; }
 
   // The options with a ratio of the given vertices as their number.
-  RemeshOptions applied(RemeshOptions options) const;
+  PartOptions applied(PartOptions options) const;
 
   // Describes the given parts in the reports, adds the distance of the only part's vertices from
   // the results, and warns.
   void note(std::vector<SceneRun>& runs) const;
 
  private:
-  void thinOutFine(std::vector<io::Part>& parts, const RemeshOptions& options,
+  void thinOutFine(std::vector<io::Part>& parts, const PartOptions& options,
                    const ThinningLimits& limits);
   std::vector<std::vector<Index>> inspect(const std::vector<io::Part>& parts);
   void noteGiven(const TriangleMesh& mesh);
@@ -66,7 +66,7 @@ class ThinnedParts {
 
 // Null if nothing is thinned out.
 std::unique_ptr<const ThinnedParts> thinnedParts(std::vector<io::Part>& parts,
-                                                 const RemeshOptions& options,
+                                                 const PartOptions& options,
                                                  const ScanSlabs& slabs);
 
 }  // namespace remesher

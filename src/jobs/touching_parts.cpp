@@ -66,7 +66,7 @@ struct ComplexSize {
 };
 
 // The length of edges where faces meet: as long as others will be on average.
-double junctionLength(const RemeshOptions& options, const ComplexSize& size) {
+double junctionLength(const PartOptions& options, const ComplexSize& size) {
   const double longest = options.maxEdge.value_or(kInfinity) / kLongestOfSize;
   const double shortest = options.minEdge.value_or(0) / kShortestOfSize;
   if (options.maxEdge && leadsByEdges(options)) return longest;
@@ -108,13 +108,13 @@ std::string lengthInWords(double length) {
 
 }  // namespace
 
-TouchingParts::TouchingParts(const std::vector<io::Part>& given, const RemeshOptions& options)
+TouchingParts::TouchingParts(const std::vector<io::Part>& given, const PartOptions& options)
     : given_(given) {
   if (!options.conform) return;
   withinMemory([&] { find(options); });
 }
 
-void TouchingParts::find(const RemeshOptions& options) {
+void TouchingParts::find(const PartOptions& options) {
   gather();
   if (!all_.indices.empty()) build(options);
   const std::vector<char> isMember = partsThatTouch();
@@ -126,7 +126,7 @@ void TouchingParts::find(const RemeshOptions& options) {
   setParts(isMember, options);
 }
 
-void TouchingParts::build(const RemeshOptions& options) {
+void TouchingParts::build(const PartOptions& options) {
   std::vector<Index> pieces;
   for (const Index group : all_.groups) pieces.push_back(Index(partOf(group)));
   const double diagonal = diagonalOf(all_);
@@ -216,7 +216,7 @@ std::vector<char> TouchingParts::partsThatTouch() const {
   return isMember;
 }
 
-void TouchingParts::setParts(const std::vector<char>& isMember, const RemeshOptions& options) {
+void TouchingParts::setParts(const std::vector<char>& isMember, const PartOptions& options) {
   std::erase_if(complex_.triangles,
                 [&](const ComplexTriangle& t) { return !isMember[partOf(t.own.group)]; });
   ComplexSize size{0, 0, double(inspectScaled(given_).vertices)};
@@ -258,7 +258,7 @@ void TouchingParts::setParts(const std::vector<char>& isMember, const RemeshOpti
     for (std::size_t& finer : one.finer) finer = numbers_[finer];
 }
 
-RemeshOptions TouchingParts::applied(RemeshOptions options) const {
+PartOptions TouchingParts::applied(PartOptions options) const {
   options.conform = false;
   if (!isActive()) return options;
   options.keepsJoints = true;

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "base/options.h"
+#include "base/part_options.h"
 #include "contact/common_faces.h"
 #include "io/model/model.h"
 #include "jobs/body_parts.h"
@@ -17,27 +17,27 @@ class TouchingParts {
  public:
   // Does nothing unless the options ask for it, and only warns where no bodies touch. `given` must
   // outlive the object. Throws the Errors of requireValid.
-  TouchingParts(const std::vector<io::Part>& given, const RemeshOptions& options);
+  TouchingParts(const std::vector<io::Part>& given, const PartOptions& options);
 
   // What is to be remeshed: the complex in the place of its first part, and the parts that touch
   // nothing.
   const std::vector<io::Part>& parts() const { return isActive() ? parts_ : given_; }
 
   // The options for these parts.
-  RemeshOptions applied(RemeshOptions options) const;
+  PartOptions applied(PartOptions options) const;
 
   // Tells the bodies apart again, and describes them.
   void finish(std::vector<SceneRun>& runs) const;
 
  private:
   bool isActive() const { return complexAt_ < parts_.size(); }
-  void find(const RemeshOptions& options);
+  void find(const PartOptions& options);
   void gather();
-  void build(const RemeshOptions& options);
+  void build(const PartOptions& options);
   void warnOfTouching();
   void warnOfCrossings();
   std::vector<char> partsThatTouch() const;
-  void setParts(const std::vector<char>& isMember, const RemeshOptions& options);
+  void setParts(const std::vector<char>& isMember, const PartOptions& options);
   std::size_t partOf(Index group) const;
   std::vector<std::vector<OwnTriangle>> toldApart(const TriangleMesh& made) const;
   // ofPart: per part given its bodies.

@@ -58,11 +58,11 @@ double bytesOf(const Extent& extent, const Grid& grid) {
          std::max(first, kBytesPerMade * crossings);
 }
 
-double gapOf(const RemeshOptions& options, double diagonal) {
+double gapOf(const PartOptions& options, double diagonal) {
   return usualGap(options) / 100 * diagonal;
 }
 
-Grid gridFor(const Extent& extent, const RemeshOptions& options, InsideBy by) {
+Grid gridFor(const Extent& extent, const PartOptions& options, InsideBy by) {
   constexpr double kStep = 1.05;
   const double diagonal = extent.diagonal();
   const double finest = kFinest * diagonal, coarsest = kCoarsest * diagonal;
@@ -78,7 +78,7 @@ Grid gridFor(const Extent& extent, const RemeshOptions& options, InsideBy by) {
 }
 
 // Remeshing to a number or an edge length replaces the triangles anyway.
-Cleaning cleaningFor(const RemeshOptions& options) {
+Cleaning cleaningFor(const PartOptions& options) {
   const bool isRemeshed =
       options.vertices || options.ratio || options.edgeLength || leadsByEdges(options);
   return isRemeshed ? Cleaning::None : Cleaning::Thorough;
@@ -93,9 +93,9 @@ std::string bytesInWords(double bytes) {
 
 }  // namespace
 
-double usualGap(const RemeshOptions& options) { return options.gap.value_or(kUsualGap); }
+double usualGap(const PartOptions& options) { return options.gap.value_or(kUsualGap); }
 
-double wishedSpacing(const Extent& extent, const RemeshOptions& options) {
+double wishedSpacing(const Extent& extent, const PartOptions& options) {
   double edge = 2 * kUsual * extent.diagonal();
   if (options.vertices)
     edge = std::sqrt(2 / std::sqrt(3.0) * extent.area / double(*options.vertices));
@@ -104,7 +104,7 @@ double wishedSpacing(const Extent& extent, const RemeshOptions& options) {
   return edge / 2;
 }
 
-SolidRule ruleFor(const TriangleMesh& input, const RemeshOptions& options, InsideBy by) {
+SolidRule ruleFor(const TriangleMesh& input, const PartOptions& options, InsideBy by) {
   const Extent extent = extentOf(input);
   const Grid grid = gridFor(extent, options, by);
   SolidRule rule{grid.spacing, by};
@@ -119,7 +119,7 @@ SolidRule ruleFor(const TriangleMesh& input, const RemeshOptions& options, Insid
   return rule;
 }
 
-RepairNeeds needsOf(const TriangleMesh& input, const RemeshOptions& options) {
+RepairNeeds needsOf(const TriangleMesh& input, const PartOptions& options) {
   const Extent extent = extentOf(input);
   RepairNeeds needs{kBytesPerTriangle * double(extent.triangles),
                     kSecondsPerTriangle * double(extent.triangles)};
@@ -131,7 +131,7 @@ RepairNeeds needsOf(const TriangleMesh& input, const RemeshOptions& options) {
   return needs;
 }
 
-void requireMemory(const TriangleMesh& input, const RemeshOptions& options, double most) {
+void requireMemory(const TriangleMesh& input, const PartOptions& options, double most) {
   const double bytes = needsOf(input, options).bytes;
   if (!(bytes > most)) return;
   throw Error(ErrorCode::OutOfMemory,
@@ -140,7 +140,7 @@ void requireMemory(const TriangleMesh& input, const RemeshOptions& options, doub
               "Give the model in parts, or with fewer triangles.");
 }
 
-void requireMemory(const TriangleMesh& input, const RemeshOptions& options) {
+void requireMemory(const TriangleMesh& input, const PartOptions& options) {
   requireMemory(input, options, double(std::numeric_limits<std::size_t>::max()));
 }
 

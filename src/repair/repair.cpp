@@ -35,9 +35,9 @@ namespace remesher {
 
 namespace {
 
-bool makesBodies(const RemeshOptions& options) { return options.thickness || options.base; }
+bool makesBodies(const PartOptions& options) { return options.thickness || options.base; }
 
-LoopRule loopRule(const TriangleMesh& input, const RemeshOptions& options, double mostDisk) {
+LoopRule loopRule(const TriangleMesh& input, const PartOptions& options, double mostDisk) {
   LoopRule rule;
   if (options.holesUpTo) rule.longest = *options.holesUpTo / 100 * diagonalOf(input);
   rule.mostDisk = makesBodies(options) ? std::min(mostDisk, ladder::kMostDiskOfBody) : mostDisk;
@@ -46,7 +46,7 @@ LoopRule loopRule(const TriangleMesh& input, const RemeshOptions& options, doubl
   return rule;
 }
 
-std::optional<BodyRule> bodyRule(const TriangleMesh& input, const RemeshOptions& options) {
+std::optional<BodyRule> bodyRule(const TriangleMesh& input, const PartOptions& options) {
   constexpr double kUsualBase = 0.02;  // of the diagonal
   if (options.base)
     return BodyRule{BodyRule::Kind::Base,
@@ -55,13 +55,13 @@ std::optional<BodyRule> bodyRule(const TriangleMesh& input, const RemeshOptions&
   return std::nullopt;
 }
 
-RepairedMesh withHolesClosed(const TriangleMesh& input, const RemeshOptions& options) {
+RepairedMesh withHolesClosed(const TriangleMesh& input, const PartOptions& options) {
   LoopRule rule = loopRule(input, options, options.keepRims ? ladder::kMostDisk : kInfinity);
   rule.keepsSheets |= options.keepRims;
   return asRepaired(closedOnly(input, rule), "holes");
 }
 
-RepairedMesh wrapped(const TriangleMesh& input, const RemeshOptions& options) {
+RepairedMesh wrapped(const TriangleMesh& input, const PartOptions& options) {
   const SolidRule rule = ruleFor(input, options, InsideBy::Reach);
   RepairedMesh result = asRepaired(solidOf(input, rule), input, rule);
   if (!result.mesh.indices.empty()) return result;
@@ -74,7 +74,7 @@ RepairedMesh wrapped(const TriangleMesh& input, const RemeshOptions& options) {
 }
 
 // A surface that encloses nothing is wrapped instead.
-RepairedMesh solidified(Solid solid, const TriangleMesh& input, const RemeshOptions& options) {
+RepairedMesh solidified(Solid solid, const TriangleMesh& input, const PartOptions& options) {
   if (solid.mesh.indices.empty()) {
     fires("repair: nothing is enclosed, so wrapped");
     return wrapped(input, options);
@@ -101,8 +101,8 @@ double countCrossed(const Diagnosis& diagnosis) {
 
 // The lattice of a repair alone. What is decided on it does not depend on how many vertices the
 // surface gets afterwards: else a thin strip is a body for one number and a sheet for the next.
-SolidRule ruleOfRepairAlone(const TriangleMesh& input, const RemeshOptions& options) {
-  RemeshOptions alone;
+SolidRule ruleOfRepairAlone(const TriangleMesh& input, const PartOptions& options) {
+  PartOptions alone;
   alone.gap = options.gap;
   alone.sheets = options.sheets;
   return ruleFor(input, alone, InsideBy::Reach);
@@ -110,7 +110,7 @@ SolidRule ruleOfRepairAlone(const TriangleMesh& input, const RemeshOptions& opti
 
 // Whether hardly anything but sheets is there, such as cards or a terrain: open pieces that are
 // seen from both sides. Triangles that share no edges, or most of which intersect others, are none.
-bool isOfSheets(const TriangleMesh& input, const RemeshOptions& options) {
+bool isOfSheets(const TriangleMesh& input, const PartOptions& options) {
   const Diagnosis diagnosis = diagnose(input);
   const double crossed = countCrossed(diagnosis);
   if (isLoose(input) || crossed > ladder::kMostSheetsCrossed * double(input.triangleCount()) ||
@@ -144,7 +144,7 @@ const char* reasonOf(const ExactRepair& exact) {
 }
 
 // The lattice, for what has no exact outside.
-RepairedMesh remade(const TriangleMesh& input, const RemeshOptions& options) {
+RepairedMesh remade(const TriangleMesh& input, const PartOptions& options) {
   std::optional<SolidGround> ground(std::in_place, input,
                                     ruleFor(input, options, InsideBy::Enclosure));
   fires("repair: lattice, since there is no exact outside");
@@ -162,7 +162,7 @@ RepairedMesh remade(const TriangleMesh& input, const RemeshOptions& options) {
 }
 
 // Says what was asked for and cannot be had of a surface that a lattice made, or of one left alone.
-RepairedMesh withBroken(const RemeshOptions& options, RepairedMesh result) {
+RepairedMesh withBroken(const PartOptions& options, RepairedMesh result) {
   if (options.keepRims && result.isRemade)
     addWarning(result, {"RIMS_NOT_KEPT",
                         "The surface was made anew by a lattice, which leaves no loop open."});
@@ -177,7 +177,7 @@ RepairedMesh withBroken(const RemeshOptions& options, RepairedMesh result) {
 double areaOfAll(const TriangleMesh& mesh) { return extentOf(mesh).area; }
 
 // The gap is a share of the diagonal of all, not of the part.
-RemeshOptions forPart(const TriangleMesh& part, const TriangleMesh& all, RemeshOptions options) {
+PartOptions forPart(const TriangleMesh& part, const TriangleMesh& all, PartOptions options) {
   const double ratio = diagonalOf(all) / diagonalOf(part);
   if (std::isfinite(ratio)) options.gap = usualGap(options) * ratio;
   return options;
@@ -232,7 +232,7 @@ bool haveSameTriangles(const TriangleMesh& one, const TriangleMesh& other) {
 // What was mended exactly together with what a lattice made of the rest, or with sheets as they
 // were. None if both cannot be united.
 std::optional<RepairedMesh> withRest(RepairedMesh result, const TriangleMesh& rest,
-                                     const TriangleMesh& input, const RemeshOptions& options) {
+                                     const TriangleMesh& input, const PartOptions& options) {
   RepairedMesh made = remade(rest, forPart(rest, input, options));
   const double decided = areaOfAll(result.mesh), undecided = areaOfAll(rest);
   addReport(result, made, undecided / (decided + undecided));
@@ -267,7 +267,7 @@ std::optional<RepairedMesh> withRest(RepairedMesh result, const TriangleMesh& re
   return result;
 }
 
-RepairedMesh automatic(const TriangleMesh& input, const RemeshOptions& options) {
+RepairedMesh automatic(const TriangleMesh& input, const PartOptions& options) {
   std::optional<ExactRepair> exact = exactlyRepaired(
       input, {loopRule(input, options, ladder::kMostDisk), bodyRule(input, options)});
   if (!exact) return withBroken(options, remade(input, options));
@@ -291,7 +291,7 @@ std::optional<ExactRepair> whollyRepaired(const TriangleMesh& input) {
   return exact;
 }
 
-RepairedMesh solid(const TriangleMesh& input, const RemeshOptions& options) {
+RepairedMesh solid(const TriangleMesh& input, const PartOptions& options) {
   if (std::optional<ExactRepair> exact = whollyRepaired(input)) {
     if (exact->sheetsAt.empty()) {
       if (!options.cavities) fillCavities(*exact, Filled::All);
@@ -301,7 +301,7 @@ RepairedMesh solid(const TriangleMesh& input, const RemeshOptions& options) {
   return solidified(solidOf(input, ruleFor(input, options, InsideBy::Enclosure)), input, options);
 }
 
-RepairedMesh repaired(const TriangleMesh& input, const RemeshOptions& options) {
+RepairedMesh repaired(const TriangleMesh& input, const PartOptions& options) {
   const char* const asked = "asked";
   switch (options.repair) {
     case Repair::Holes:
@@ -333,7 +333,7 @@ bool isFlaw(const OneSided& found) {
 
 // Parts with one side only have no outside: but for flaws that repair mends they stay as they are.
 RepairedMesh besideOneSided(RepairedMesh whole, const TriangleMesh& input,
-                            const RemeshOptions& options) {
+                            const PartOptions& options) {
   const OneSided found = oneSidedOf(input);
   if (found.edges == 0 || (isFlaw(found) && !isWorse(whole, input))) return whole;
   fires("repair: surface of one side left as it is");
@@ -380,13 +380,13 @@ TriangleMesh stitched(const TriangleMesh& input) {
 // Which repair `auto` alone would choose, by the same analysis, without the work of the lattice's
 // surface. Off where it would leave all as it is, as sheets.
 Repair repairFor(const TriangleMesh& input) {
-  const RemeshOptions alone;
+  const PartOptions alone;
   std::optional<ExactRepair> exact =
       exactlyRepaired(input, {loopRule(input, alone, ladder::kMostDisk), std::nullopt});
   if (exact) fillCavities(*exact, Filled::Made);
   TriangleMesh rest = exact ? exact->undecided : input;
   if (!rest.indices.empty()) {
-    const RemeshOptions own = exact ? forPart(rest, input, alone) : alone;
+    const PartOptions own = exact ? forPart(rest, input, alone) : alone;
     if (isClear(enclosureOf(rest, ruleFor(rest, own, InsideBy::Enclosure)))) return Repair::Solid;
     if (!isOfSheets(rest, own)) return Repair::Wrap;
   }
@@ -415,7 +415,7 @@ FaultReport faultsOf(const TriangleMesh& input) {
   faults.places.insideOut = cornersOf(diagnosis, isInsideOut);
   faults.insideOut = faults.places.insideOut.size();
   if (isSound(diagnosis)) return faults;
-  RemeshOptions alone;
+  PartOptions alone;
   const TriangleMesh ordered = inCanonicalOrder(input);
   faults.repair = staysOneSided(ordered) ? Repair::Off : repairFor(ordered);
   alone.repair = faults.repair;
@@ -447,7 +447,7 @@ std::vector<Vec3> openPieces(const TriangleMesh& input) {
   return cornersOf(diagnose(isPart ? exact->undecided : mesh), isSheet);
 }
 
-RepairedMesh repairSurface(const TriangleMesh& input, const RemeshOptions& options) {
+RepairedMesh repairSurface(const TriangleMesh& input, const PartOptions& options) {
   requireValid(input);
   requireMemory(input, options);
   const TriangleMesh ordered = inCanonicalOrder(input);

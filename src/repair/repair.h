@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "base/options.h"
+#include "base/part_options.h"
 #include "base/report.h"
 #include "base/triangle_mesh.h"
 
@@ -27,7 +27,7 @@ struct RepairedMesh {
 // Follows the options repair, holesUpTo, keepRims, gap, cavities, sheets, thickness and base.
 // Throws the Errors of requireValid, NO_TRIANGLES if nothing can be kept, and OUT_OF_MEMORY, before
 // the work, if no memory can hold it.
-RepairedMesh repairSurface(const TriangleMesh& input, const RemeshOptions& options);
+RepairedMesh repairSurface(const TriangleMesh& input, const PartOptions& options);
 
 // The mesh as closed bodies that intersect nowhere, facing outwards, by the exact steps of repair
 // alone; nothing stays open and no lattice is made. None where that is not possible.

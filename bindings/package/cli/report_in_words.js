@@ -180,7 +180,11 @@ const cures = {
 const needsInWords = ({ bytes, seconds }) => `; it takes about ${Math.ceil(bytes / 1e6)} MB and `
   + `${Number(seconds.toPrecision(1))} s`;
 
-/** @param {any} report */
+/** @typedef {Model & { faults: import('../base/messages.js').FaultSummary,
+ *   input: { nonManifoldEdges: number },
+ *   warnings: import('../base/messages.js').Warning[] }} Inspected */
+
+/** @param {Inspected} report */
 function cureInWords({ faults: { repair, openLoops }, input: { nonManifoldEdges }, warnings }) {
   if (repair === 'off' && warnings.some(({ code }) => code === 'ONE_SIDED')) {
     return 'repair leaves it as it is: a surface of one side has no outside; --thickness makes a '
@@ -194,7 +198,7 @@ function cureInWords({ faults: { repair, openLoops }, input: { nonManifoldEdges 
     : cures[repair];
 }
 
-/** @param {any} report */
+/** @param {Inspected} report */
 function faultsInWords(report) {
   const { openLoops, selfIntersections, innerShells, insideOut, repair, needs, places }
     = report.faults;

@@ -30,9 +30,6 @@ constexpr double kWholeDiagonal = 100;
 // A surface no larger than this many steps of its coordinates is lost to rounding.
 constexpr double kSteps = 64;
 
-// A part is visibly dented from this distance on, in percent of the diagonal.
-constexpr double kDented = 1;
-
 // A bound that was kept may be measured as slightly exceeded.
 constexpr double kRounding = 1 + 1e-6;
 
@@ -284,10 +281,12 @@ std::vector<Warning> moreThanAsked(const Report& report, const RemeshOptions& op
 }
 
 std::vector<Warning> dentedPart(const Report& report, const PartPairs& parts,
-                                const RemeshOptions& options) {
-  if (!report.fidelity || report.fidelity->hausdorff <= kDented || report.output->quads) return {};
+                                const PartOptions& options) {
+  if (!report.fidelity || report.fidelity->hausdorff <= 100 * kDented || report.output->quads)
+    return {};
   if (parts.originals.size() != 1 || options.tooFew == TooFew::Raise) return {};
-  const TriangleMesh& given = parts.originals.front().mesh;
+  const io::Part& part = parts.originals.front();
+  const TriangleMesh& given = part.mesh;
   const std::size_t enough = fewestConformed(given);
   if (enough <= report.output->vertices) return {};
   const TriangleMesh& made = parts.results.front().mesh;
@@ -299,6 +298,7 @@ std::vector<Warning> dentedPart(const Report& report, const PartPairs& parts,
     const double squared = tree.nearest(p).squaredDistance;
     if (squared > farthest) farthest = squared, where = p;
   }
+  where = inWorldOf(part, where);
   return {{"SHAPE_TAKES_MORE",
            "The part is up to " + number(report.fidelity->hausdorff) +
                " % of the diagonal away, most near (" + placeInWords(where, parts.originals) +

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "base/options.h"
+#include "base/part_options.h"
 #include "base/report.h"
 #include "io/model/model.h"
 #include "jobs/parts/part_report.h"
@@ -45,10 +45,13 @@ std::vector<Warning> fartherThanAsked(const Report& report, const RemeshOptions&
 // missed the number for more.
 std::vector<Warning> moreThanAsked(const Report& report, const RemeshOptions& options);
 
-// SHAPE_TAKES_MORE, if the only part is made of facets, is dented by more than a hundredth of the
-// diagonal, and has too few vertices for its shape. Levels of detail are meant to be so.
+// A part is visibly dented from this share of its diagonal on.
+inline constexpr double kDented = 0.01;
+
+// SHAPE_TAKES_MORE, if the only part is made of facets, is dented, and has too few vertices for its
+// shape. Levels of detail are meant to be so.
 std::vector<Warning> dentedPart(const Report& report, const PartPairs& parts,
-                                const RemeshOptions& options);
+                                const PartOptions& options);
 
 // All of these warnings that apply, but for dentedPart.
 std::vector<Warning> resultWarnings(const Report& report, const std::vector<io::Part>& result,

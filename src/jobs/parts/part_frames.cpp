@@ -225,7 +225,7 @@ std::vector<io::Part> PartFrames::applied(std::vector<io::Part> parts) const {
   return parts;
 }
 
-RemeshOptions PartFrames::applied(RemeshOptions options) const {
+PartOptions PartFrames::applied(PartOptions options) const {
   for (std::optional<double>* const length :
        {&options.edgeLength, &options.minEdge, &options.maxEdge, &options.lengths.maxError})
     if (*length) **length *= world_.scale();

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "base/frame.h"
-#include "base/options.h"
+#include "base/part_options.h"
 #include "io/model/model.h"
 #include "jobs/parts/common_frame.h"
 
@@ -35,7 +35,7 @@ class PartFrames {
   // The parts and the options at about unit size near the origin: each part in its own space, and
   // all in the world.
   std::vector<io::Part> applied(std::vector<io::Part> parts) const;
-  RemeshOptions applied(RemeshOptions options) const;
+  PartOptions applied(PartOptions options) const;
 
   // Parts made from applied ones, back at the sizes and places of `originals`. A coordinate of an
   // original is exactly what it was.

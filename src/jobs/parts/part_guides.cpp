@@ -62,7 +62,7 @@ std::string inPercent(double share) { return std::to_string(std::llround(100 * s
 
 }  // namespace
 
-SharedGuides sharedGuides(const std::vector<io::Part>& surfaces, const RemeshOptions& options) {
+SharedGuides sharedGuides(const std::vector<io::Part>& surfaces, const PartOptions& options) {
   if (options.guides.empty()) return {};
   if (!options.quads)
     throw Error(ErrorCode::InvalidOption,

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "base/options.h"
+#include "base/part_options.h"
 #include "base/report.h"
 #include "io/model/model.h"
 
@@ -18,6 +18,6 @@ struct SharedGuides {
 
 // Each guide goes to the surface that is nearest at one of its places. Throws INVALID_OPTION if no
 // quads are asked for.
-SharedGuides sharedGuides(const std::vector<io::Part>& surfaces, const RemeshOptions& options);
+SharedGuides sharedGuides(const std::vector<io::Part>& surfaces, const PartOptions& options);
 
 }  // namespace remesher

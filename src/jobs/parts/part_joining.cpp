@@ -30,7 +30,7 @@ std::vector<Warning> settleAttributes(std::vector<io::Part>& parts) {
   return warnings;
 }
 
-std::vector<io::Part> joinedPlaces(std::vector<io::Part> parts, const RemeshOptions& options) {
+std::vector<io::Part> joinedPlaces(std::vector<io::Part> parts, const PartOptions& options) {
   for (io::Part& part : parts) {
     requireValid(part.mesh);
     joinNoise(part.mesh);

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "base/options.h"
+#include "base/part_options.h"
 #include "base/report.h"
 #include "io/model/model.h"
 
@@ -12,7 +12,7 @@ namespace remesher {
 
 // Removes noise around zero, and joins places nearer than `weld` of the options says, which is of
 // each part's own diagonal. Throws the Errors of requireValid.
-std::vector<io::Part> joinedPlaces(std::vector<io::Part> parts, const RemeshOptions& options);
+std::vector<io::Part> joinedPlaces(std::vector<io::Part> parts, const PartOptions& options);
 
 // Makes values of attributes that are not finite 0, since they would spread over the result.
 // Returns NON_FINITE_ATTRIBUTE for each semantic that had any. Readers of files do so themselves.

@@ -39,7 +39,7 @@ double growthOf(const Transform& toWorld) {
   return std::cbrt(std::abs(toWorld.linear().determinant()));
 }
 
-RemeshOptions withPercents(RemeshOptions options, double diagonal) {
+PartOptions withPercents(PartOptions options, double diagonal) {
   if (!(diagonal > 0)) return options;
   const Lengths& lengths = options.lengths;
   toPercent(lengths.maxError, options.maxError, diagonal);
@@ -50,7 +50,7 @@ RemeshOptions withPercents(RemeshOptions options, double diagonal) {
   return options;
 }
 
-void limitEdges(RemeshOptions& options) {
+void limitEdges(PartOptions& options) {
   constexpr double kShortest = 0.4, kLongest = 2;
   if (!options.edgeLength || !options.minAngle || options.maxError) return;
   const double mean = *options.edgeLength;
@@ -59,13 +59,13 @@ void limitEdges(RemeshOptions& options) {
   if (!options.maxEdge) options.maxEdge = kLongest * std::max(mean, least);
 }
 
-RemeshOptions withPercents(const RemeshOptions& options, const std::vector<io::Part>& parts) {
-  const Lengths& l = options.lengths;
-  if (!l.maxError && !l.weld && !l.holesUpTo && !l.gap && !l.dropBelow) return options;
-  return withPercents(options, worldDiagonal(parts));
+PartOptions withPercents(const RemeshOptions& asked, const std::vector<io::Part>& parts) {
+  const Lengths& l = asked.lengths;
+  if (!l.maxError && !l.weld && !l.holesUpTo && !l.gap && !l.dropBelow) return PartOptions(asked);
+  return withPercents(PartOptions(asked), worldDiagonal(parts));
 }
 
-RemeshOptions withPercentsOf(const TriangleMesh& mesh, double growth, RemeshOptions options) {
+PartOptions withPercentsOf(const TriangleMesh& mesh, double growth, PartOptions options) {
   const std::optional<double> dropBelow = options.dropBelow;
   options = withPercents(std::move(options), growth * diagonalOf(mesh));
   options.dropBelow = dropBelow;  // of all parts together

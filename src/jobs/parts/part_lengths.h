@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "base/options.h"
+#include "base/part_options.h"
 #include "io/model/model.h"
 
 namespace remesher {
@@ -19,15 +19,15 @@ double worldDiagonal(const std::vector<io::Part>& parts);
 double growthOf(const Transform& toWorld);
 
 // The options with their lengths in percent of such a diagonal as well.
-RemeshOptions withPercents(RemeshOptions options, double diagonal);
-RemeshOptions withPercents(const RemeshOptions& options, const std::vector<io::Part>& parts);
+PartOptions withPercents(PartOptions options, double diagonal);
+PartOptions withPercents(const RemeshOptions& asked, const std::vector<io::Part>& parts);
 
 // A mean length of edges together with a smallest angle, as solvers want them, limits each edge as
 // well: to a length from 0.4 to 2 times the mean, unless the caller sets limits. An error bound may
 // need shorter edges.
-void limitEdges(RemeshOptions& options);
+void limitEdges(PartOptions& options);
 
 // What options of a part are percent of: the part's own diagonal.
-RemeshOptions withPercentsOf(const TriangleMesh& mesh, double growth, RemeshOptions options);
+PartOptions withPercentsOf(const TriangleMesh& mesh, double growth, PartOptions options);
 
 }  // namespace remesher

@@ -35,7 +35,7 @@ double scaleOf(const PartPlace& place) {
 }  // namespace
 
 PartTargets::PartTargets(const std::vector<io::Part>& parts, const std::vector<PartPlace>& places,
-                         const RemeshOptions& options)
+                         const PartOptions& options)
     : parts_(parts), places_(places), options_(options), order_(parts.size()) {
   if (parts.size() > 1 && !(options.density.empty() && options.featureEdges.empty()))
     throw Error(ErrorCode::InvalidOption,
@@ -117,14 +117,14 @@ double PartTargets::shareOf(std::size_t part) const {
 }
 
 // A level keeps the same share of its own vertices as its finer parts kept of theirs.
-RemeshOptions PartTargets::ofLevel(std::size_t part) const {
+PartOptions PartTargets::ofLevel(std::size_t part) const {
   double own = 0, given = 0;
   for (const std::size_t finer : parts_[part].finer) {
     own += double(countPlaces(parts_[finer].mesh.positions));
     given += given_[finer];
   }
   const double share = own > 0 && given > 0 ? given / own : 1;
-  RemeshOptions result = options_;
+  PartOptions result = options_;
   result.ratio.reset();
   result.edgeLength.reset();
   result.tooFew = TooFew::Raise;
@@ -133,9 +133,9 @@ RemeshOptions PartTargets::ofLevel(std::size_t part) const {
   return result;
 }
 
-RemeshOptions PartTargets::of(std::size_t part) const {
+PartOptions PartTargets::of(std::size_t part) const {
   if (isLevel(part)) return ofLevel(part);
-  RemeshOptions result = options_;
+  PartOptions result = options_;
   const bool isLast = part == last_;
   // Other parts make up for a raised number, but the last part has only what is left. Without a
   // number for the whole, any part may be raised; a budget of faces is kept as near as may be.

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "base/options.h"
+#include "base/part_options.h"
 #include "io/model/model.h"
 #include "jobs/parts/part_places.h"
 #include "jobs/parts/shape_shares.h"
@@ -19,7 +19,7 @@ class PartTargets {
  public:
   // Throws INVALID_OPTION for options that cannot be shared. The arguments must outlive the object.
   PartTargets(const std::vector<io::Part>& parts, const std::vector<PartPlace>& places,
-              const RemeshOptions& options);
+              const PartOptions& options);
 
   // The numbers of the parts in the order in which they are to be remeshed: the smallest first.
   const std::vector<std::size_t>& order() const { return order_; }
@@ -28,7 +28,7 @@ class PartTargets {
   // by the needs of charts, then by area in the world, or, where the shape is preferred, by what
   // the shapes of the parts need; an edge length is in units of the world. A coarser level of
   // detail comes after the finest and keeps its proportion to it.
-  RemeshOptions of(std::size_t part) const;
+  PartOptions of(std::size_t part) const;
 
   // Throws the Error for a part that was refused its number; if there are several parts, with a
   // number that is enough for the whole.
@@ -39,13 +39,13 @@ class PartTargets {
 
  private:
   void reserveForCharts();
-  RemeshOptions ofLevel(std::size_t part) const;
+  PartOptions ofLevel(std::size_t part) const;
   bool isLevel(std::size_t part) const { return !parts_[part].finer.empty(); }
   double shareOf(std::size_t part) const;
 
   const std::vector<io::Part>& parts_;
   const std::vector<PartPlace>& places_;
-  const RemeshOptions& options_;
+  const PartOptions& options_;
   std::optional<ShapeShares> byShape_;  // instead of areas and charts
   std::vector<double> areas_;
   std::vector<double> reserved_;  // least vertices of a part, as far as they are left

@@ -32,7 +32,7 @@ bool isThere(const io::Part& part) {
 }
 
 // Models with levels of detail keep their parts, and boundaries that are kept need no union.
-bool mayUnite(const std::vector<io::Part>& parts, const RemeshOptions& options) {
+bool mayUnite(const std::vector<io::Part>& parts, const PartOptions& options) {
   const auto isLevel = [](const io::Part& part) { return !part.finer.empty(); };
   return parts.size() > 1 && options.boundary != Boundary::Keep && options.density.empty() &&
          options.featureEdges.empty() && std::none_of(parts.begin(), parts.end(), isLevel);
@@ -121,7 +121,7 @@ class Parting {
 
 }  // namespace
 
-PartUnions::PartUnions(const std::vector<io::Part>& parts, Held held, const RemeshOptions& options)
+PartUnions::PartUnions(const std::vector<io::Part>& parts, Held held, const PartOptions& options)
     : parts_(parts), held_(held) {
   std::vector<std::vector<std::size_t>> sets;
   std::vector<TriangleMesh> placed(parts.size());
@@ -176,7 +176,7 @@ const PartUnions::Union* PartUnions::unionOf(std::size_t surface) const {
 // In files that hold parts apart a place on a common border counts once for each part that meets
 // there. The number of such places is estimated from the input's, in proportion to the square root
 // of the vertex count.
-RemeshOptions PartUnions::optionsOf(std::size_t surface, RemeshOptions options) const {
+PartOptions PartUnions::optionsOf(std::size_t surface, PartOptions options) const {
   const Union* const whole = unionOf(surface);
   if (!whole || held_ == Held::AsOne) return options;
   if (!options.quads) options.bodies = whole->bodies;

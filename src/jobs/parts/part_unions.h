@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "base/options.h"
+#include "base/part_options.h"
 #include "io/model/model.h"
 #include "jobs/parts/part_report.h"
 #include "remesh/schemes/remesh.h"
@@ -16,7 +16,7 @@ namespace remesher {
 class PartUnions {
  public:
   // held: how the results will be. The parts must be valid and outlive the object.
-  PartUnions(const std::vector<io::Part>& parts, Held held, const RemeshOptions& options);
+  PartUnions(const std::vector<io::Part>& parts, Held held, const PartOptions& options);
 
   // The surfaces to remesh: single parts, and each union as one part in the world.
   const std::vector<io::Part>& surfaces() const { return unions_.empty() ? parts_ : surfaces_; }
@@ -25,7 +25,7 @@ class PartUnions {
   const std::vector<std::size_t>& membersOf(std::size_t surface) const { return members_[surface]; }
 
   // The options of a surface, so that its parts together meet their targets. Throws TooFewVertices.
-  RemeshOptions optionsOf(std::size_t surface, RemeshOptions options) const;
+  PartOptions optionsOf(std::size_t surface, PartOptions options) const;
 
   // Cuts the outcome of a surface into those of its parts, each in its own space.
   std::vector<RemeshOutcome> parted(std::size_t surface, RemeshOutcome outcome) const;

@@ -5,7 +5,7 @@
 // does every mesh made from it.
 #pragma once
 
-#include "base/options.h"
+#include "base/part_options.h"
 #include "remesh/gate/error_bound.h"
 #include "remesh/steps/run.h"
 

@@ -3,7 +3,7 @@
 // only where these do not come near enough by single quads.
 #pragma once
 
-#include "base/options.h"
+#include "base/part_options.h"
 #include "base/patience.h"
 #include "remesh/quads/mesh/quad_mesh.h"
 

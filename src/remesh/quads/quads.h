@@ -8,9 +8,9 @@
 #include <span>
 #include <vector>
 
-#include "base/options.h"
-#include "base/paired_part.h"
+#include "base/part_options.h"
 #include "base/patience.h"
+#include "base/report.h"
 #include "remesh/quads/field/cross_field.h"
 #include "remesh/quads/mesh/quad_mesh.h"
 

@@ -17,7 +17,7 @@ namespace {
 constexpr Index kWorthMirroring = 32;
 
 // A part may be mirrored even if the whole is not.
-RemeshOutcome remeshAlone(const SurfacePart& part, const RemeshOptions& options,
+RemeshOutcome remeshAlone(const SurfacePart& part, const PartOptions& options,
                           const PlainRemesher& plain, Scope scope, const Progress& progress) {
   const bool isTiny = part.planes.empty() && options.vertices.value_or(kNone) < kWorthMirroring;
   if (scope.isPart && isTiny) return plain(part.mesh, options, scope, progress);
@@ -44,11 +44,11 @@ RemeshOutcome remeshAlone(const SurfacePart& part, const RemeshOptions& options,
 }
 
 RemeshOutcome remeshUnguided(const TriangleMesh& input, const Welding& welding,
-                             const RemeshOptions& options, const PlainRemesher& plain,
+                             const PartOptions& options, const PlainRemesher& plain,
                              const Progress& progress) {
   if (isForced(options.symmetry))
-    return remeshForced(input, options, [&](const TriangleMesh& half, const RemeshOptions& own) {
-      const auto remeshed = [&](const SurfacePart& part, const RemeshOptions& its,
+    return remeshForced(input, options, [&](const TriangleMesh& half, const PartOptions& own) {
+      const auto remeshed = [&](const SurfacePart& part, const PartOptions& its,
                                 const Progress& stretch) {
         return plain(part.mesh, its, {true, part.share}, stretch);
       };
@@ -56,7 +56,7 @@ RemeshOutcome remeshUnguided(const TriangleMesh& input, const Welding& welding,
           remeshPartByPart(half, Welding(half), own, remeshed, progress);
       return parts ? std::move(*parts) : plain(half, own, {}, progress);
     });
-  const auto remeshed = [&](const SurfacePart& part, const RemeshOptions& its,
+  const auto remeshed = [&](const SurfacePart& part, const PartOptions& its,
                             const Progress& stretch) {
     return remeshAlone(part, its, plain, {true, part.share}, stretch);
   };
@@ -71,14 +71,14 @@ RemeshOutcome remeshUnguided(const TriangleMesh& input, const Welding& welding,
 }  // namespace
 
 RemeshOutcome remeshAsQuads(const TriangleMesh& input, const Welding& welding,
-                            const RemeshOptions& options, const PlainRemesher& plain,
+                            const PartOptions& options, const PlainRemesher& plain,
                             const Progress& progress) {
   if (options.guides.empty()) return remeshUnguided(input, welding, options, plain, progress);
-  RemeshOptions own = options;
+  PartOptions own = options;
   own.guides = guidesOn(input, options);
-  const auto guided = [&](const TriangleMesh& part, const RemeshOptions& its, Scope scope,
+  const auto guided = [&](const TriangleMesh& part, const PartOptions& its, Scope scope,
                           const Progress& stretch) {
-    return remeshGuided(part, its, [&](const TriangleMesh& divided, const RemeshOptions& last) {
+    return remeshGuided(part, its, [&](const TriangleMesh& divided, const PartOptions& last) {
       return plain(divided, last, scope, stretch);
     });
   };

@@ -10,7 +10,7 @@ namespace remesher {
 // mirrored, on one side of the planes only. plain: makes quads of a surface as it is. Throws what
 // it throws, and INVALID_OPTION, TARGET_TOO_SMALL.
 RemeshOutcome remeshAsQuads(const TriangleMesh& input, const Welding& welding,
-                            const RemeshOptions& options, const PlainRemesher& plain,
+                            const PartOptions& options, const PlainRemesher& plain,
                             const Progress& progress);
 
 }  // namespace remesher

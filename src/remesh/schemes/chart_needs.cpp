@@ -178,7 +178,7 @@ class Measurement {
 
 }  // namespace
 
-std::vector<ChartNeed> chartNeeds(const TriangleMesh& input, const RemeshOptions& options) {
+std::vector<ChartNeed> chartNeeds(const TriangleMesh& input, const PartOptions& options) {
   constexpr double kEverySize = 0;
   if (input.attributes.empty()) return {};
   const BuiltMesh built = buildMesh(input);

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "base/options.h"
+#include "base/part_options.h"
 #include "base/triangle_mesh.h"
 
 namespace remesher {
@@ -18,6 +18,6 @@ struct ChartNeed {
 // One need for each region between curves whose neighbour shows other attribute values, and one for
 // each piece of such a border between two junctions. Neighbours on the same place of a texture show
 // the same: there nothing can be lost. Empty if no attribute jumps. Throws Error as buildMesh does.
-std::vector<ChartNeed> chartNeeds(const TriangleMesh& input, const RemeshOptions& options);
+std::vector<ChartNeed> chartNeeds(const TriangleMesh& input, const PartOptions& options);
 
 }  // namespace remesher

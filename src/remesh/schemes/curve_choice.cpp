@@ -20,7 +20,7 @@ constexpr double kNearerForQuads = 0.35;
 
 // The edges that the caller gave as pairs of input vertices; without those of copies of triangles
 // that were removed.
-std::vector<Halfedge> givenEdges(const BuiltMesh& built, const RemeshOptions& options) {
+std::vector<Halfedge> givenEdges(const BuiltMesh& built, const PartOptions& options) {
   if (options.featureEdges.empty()) return {};
   std::vector<Vertex> vertexOf;
   for (Index h = 0; h < built.mesh.halfedgeCapacity(); ++h) {
@@ -40,10 +40,10 @@ std::vector<Halfedge> givenEdges(const BuiltMesh& built, const RemeshOptions& op
 }
 
 // Surfaces made by a lattice are flat to the last digit by chance only.
-bool areFlatsMeant(const RemeshOptions& options) { return !isRemade(options.repair); }
+bool areFlatsMeant(const PartOptions& options) { return !isRemade(options.repair); }
 
 std::vector<Halfedge> rimsOf(const FlatRegions& flats, const BuiltMesh& built,
-                             const RemeshOptions& options) {
+                             const PartOptions& options) {
   const double least = kRimBend * radians(options.featureAngle.value_or(kFeatureAngle));
   std::vector<Halfedge> rims = bordersOf(flats, built.mesh);
   if (!options.quads) return rims;
@@ -89,7 +89,7 @@ std::vector<Vertex> endsAtPlanes(const BuiltMesh& built, const Mirrors& mirrors)
 }  // namespace
 
 CurveCandidates curveCandidates(const BuiltMesh& built, const TriangleMesh& input,
-                                const RemeshOptions& options, double size) {
+                                const PartOptions& options, double size) {
   const double angle = options.featureAngle.value_or(kFeatureAngle);
   CurveEdges edges{{}, givenEdges(built, options)};
   const bool byDefault = options.scheme == Scheme::Best;
@@ -102,7 +102,7 @@ CurveCandidates curveCandidates(const BuiltMesh& built, const TriangleMesh& inpu
 }
 
 CurveChoice chooseCurves(const BuiltMesh& built, const TriangleMesh& input,
-                         const RemeshOptions& options, const CurveScale& scale) {
+                         const PartOptions& options, const CurveScale& scale) {
   auto [edges, seams, isDetecting] = curveCandidates(built, input, options, scale.size);
   FlatRegions flats;
   if (isDetecting && scale.flats == Flats::Bordered && areFlatsMeant(options)) {

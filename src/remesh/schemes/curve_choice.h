@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "base/options.h"
+#include "base/part_options.h"
 #include "base/report.h"
 #include "base/triangle_mesh.h"
 #include "mesh/joints.h"
@@ -32,7 +32,7 @@ struct CurveCandidates {
 
 // size: the target edge length, model units.
 CurveCandidates curveCandidates(const BuiltMesh& built, const TriangleMesh& input,
-                                const RemeshOptions& options, double size);
+                                const PartOptions& options, double size);
 
 // Whether flat regions are bordered by curves, or treated like all others.
 enum class Flats { Bordered, Unknown };
@@ -48,6 +48,6 @@ struct CurveScale {
 };
 
 CurveChoice chooseCurves(const BuiltMesh& built, const TriangleMesh& input,
-                         const RemeshOptions& options, const CurveScale& scale);
+                         const PartOptions& options, const CurveScale& scale);
 
 }  // namespace remesher

@@ -11,7 +11,7 @@ namespace remesher {
 namespace {
 
 // Lengths with room for what rounding moves.
-WantedLimits limitsIn(const RemeshOptions& options, const Quantum& quantum) {
+WantedLimits limitsIn(const PartOptions& options, const Quantum& quantum) {
   constexpr double kRoom = 4;  // roundings of coordinates
   WantedLimits wanted;
   if (options.minEdge) wanted.shortest = *options.minEdge + kRoom * quantum.size;
@@ -22,7 +22,7 @@ WantedLimits limitsIn(const RemeshOptions& options, const Quantum& quantum) {
 
 }  // namespace
 
-SizeBounds sizeBounds(const RemeshOptions& options) {
+SizeBounds sizeBounds(const PartOptions& options) {
   const double shortest = options.minEdge.value_or(0) / kShortestOfSize;
   const double longest = options.maxEdge.value_or(kInfinity) / kLongestOfSize;
   if (shortest <= longest) return {shortest, longest};
@@ -30,17 +30,17 @@ SizeBounds sizeBounds(const RemeshOptions& options) {
   return {between, between};
 }
 
-double numberByEdges(const RemeshOptions& options, double area, double own) {
+double numberByEdges(const PartOptions& options, double area, double own) {
   const auto [shortest, longest] = sizeBounds(options);
   return options.maxEdge ? verticesForEdgeLength(area, longest)
                          : std::min(own, verticesForEdgeLength(area, shortest));
 }
 
-void keepLimits(Run& run, const RemeshOptions& options, Number number) {
+void keepLimits(Run& run, const PartOptions& options, Number number) {
   if (wantsOfEach(options)) keepWanted(run, limitsIn(options, run.asked.rule.quantum), number);
 }
 
-Unmet unmetLimits(const Run& run, const RemeshOptions& options) {
+Unmet unmetLimits(const Run& run, const PartOptions& options) {
   if (!wantsOfEach(options)) return {};
   return unmetOf(run, limitsIn(options, run.asked.rule.quantum));
 }

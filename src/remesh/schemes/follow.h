@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/input_place.h"
-#include "base/options.h"
+#include "base/part_options.h"
 #include "base/triangle_mesh.h"
 #include "geometry/mesh_tree.h"
 #include "mesh/mesh_builder.h"

@@ -28,7 +28,7 @@ constexpr double kWholly = 0.999;
 
 // The divided mesh with the input's attributes at the same places.
 TriangleMesh withAttributes(const Imprint& imprint, const TriangleMesh& input,
-                            const RemeshOptions& options, double side) {
+                            const PartOptions& options, double side) {
   TriangleMesh mesh = imprint.mesh();
   if (input.attributes.empty()) return mesh;
   mesh.attributes = input.attributes;
@@ -60,7 +60,7 @@ void noteLost(RemeshOutcome& made, const std::vector<Guide>& loops, double near)
 
 }  // namespace
 
-double sideLength(const TriangleMesh& input, const RemeshOptions& options) {
+double sideLength(const TriangleMesh& input, const PartOptions& options) {
   if (options.edgeLength) return *options.edgeLength;
   const double given = double(countPlaces(input.positions));
   const double vertices =
@@ -68,7 +68,7 @@ double sideLength(const TriangleMesh& input, const RemeshOptions& options) {
   return std::sqrt(extentOf(input).area / std::max(1.0, vertices));
 }
 
-std::vector<Guide> guidesOn(const TriangleMesh& input, const RemeshOptions& options) {
+std::vector<Guide> guidesOn(const TriangleMesh& input, const PartOptions& options) {
   if (options.guides.empty()) return {};
   const TriangleTree tree(input.positions, input.indices);
   return onSurface(options.guides, tree, kGuideStep * sideLength(input, options));
@@ -92,10 +92,10 @@ std::vector<std::vector<Guide>> guidesByPart(const TriangleMesh& input,
   return own;
 }
 
-RemeshOutcome remeshGuided(const TriangleMesh& input, const RemeshOptions& options,
+RemeshOutcome remeshGuided(const TriangleMesh& input, const PartOptions& options,
                            const SurfaceRemesher& remesh) {
   const double side = sideLength(input, options);
-  RemeshOptions own = options;
+  PartOptions own = options;
   own.guides.clear();
   const TriangleTree tree(input.positions, input.indices);
   std::vector<Guide> kept;

@@ -11,10 +11,10 @@
 namespace remesher {
 
 // The length of the quads' sides, if all are squares of one size.
-double sideLength(const TriangleMesh& input, const RemeshOptions& options);
+double sideLength(const TriangleMesh& input, const PartOptions& options);
 
 // The guides of a run with points on the input.
-std::vector<Guide> guidesOn(const TriangleMesh& input, const RemeshOptions& options);
+std::vector<Guide> guidesOn(const TriangleMesh& input, const PartOptions& options);
 
 // Per part the guides that are nearest to it with most of their points.
 std::vector<std::vector<Guide>> guidesByPart(const TriangleMesh& input,
@@ -22,11 +22,11 @@ std::vector<std::vector<Guide>> guidesByPart(const TriangleMesh& input,
                                              const std::vector<Guide>& guides);
 
 using SurfaceRemesher =
-    std::function<RemeshOutcome(const TriangleMesh& input, const RemeshOptions& options)>;
+    std::function<RemeshOutcome(const TriangleMesh& input, const PartOptions& options)>;
 
 // Makes quads of a surface on which all its guides lie. remesh: makes quads along the options'
 // featureEdges, and its guides of kind direction.
-RemeshOutcome remeshGuided(const TriangleMesh& input, const RemeshOptions& options,
+RemeshOutcome remeshGuided(const TriangleMesh& input, const PartOptions& options,
                            const SurfaceRemesher& remesh);
 
 }  // namespace remesher

@@ -33,7 +33,7 @@ constexpr double kRoundsShare = 0.85;  // the rest mends the poor regions they l
 
 bool runScheme(Run& run, std::size_t vertices, const RunSettings& settings,
                const Progress& progress) {
-  const RemeshOptions& options = settings.options;
+  const PartOptions& options = settings.options;
   if (options.scheme == Scheme::Rounds) {
     const bool reached =
         runRounds(run, {vertices, options.splitObtuse}, progress.part(0, kRoundsShare));
@@ -93,7 +93,7 @@ struct Made {
 
 Made makeMesh(Run& run, const Prepared& original, const RunSettings& settings,
               const Progress& progress) {
-  const RemeshOptions& options = settings.options;
+  const PartOptions& options = settings.options;
   if (const std::size_t enough = enoughInstead(original, options)) {
     fires("isotropic: more pieces or handles than the number allows");
     progress.phase("polish", 0, 0);
@@ -131,7 +131,7 @@ Quantum quantumOf(const TriangleMesh& input) {
 // With many vertices projection walks: over short edges the straight way leads to the same place as
 // patches. Projection also walks if there are hubs, for patches hold whole stars, and each patch at
 // a hub would hold all of its triangles: at 20,000 triangles 400 million together.
-Projector projectorFor(const Prepared& original, const RemeshOptions& options) {
+Projector projectorFor(const Prepared& original, const PartOptions& options) {
   const bool walks = options.scheme == Scheme::Best && options.projection == Projection::Patches &&
                      original.vertices() >= kMany;
   const bool hasHubs =
@@ -141,7 +141,7 @@ Projector projectorFor(const Prepared& original, const RemeshOptions& options) {
   return Projector(original.ground(), options.projection, original.longestEdges());
 }
 
-std::size_t enoughInstead(const Prepared& original, const RemeshOptions& options) {
+std::size_t enoughInstead(const Prepared& original, const PartOptions& options) {
   if (options.repair == Repair::Off || original.bound() || options.splitObtuse) return 0;
   const std::size_t enough = fewestVertices(original.surface().mesh()).enough;
   return original.vertices() < enough ? enough : 0;
@@ -149,7 +149,7 @@ std::size_t enoughInstead(const Prepared& original, const RemeshOptions& options
 
 Remeshed remeshOriginal(const Prepared& original, const RunSettings& settings,
                         const Progress& progress) {
-  const RemeshOptions& options = settings.options;
+  const PartOptions& options = settings.options;
   Projector projector = projectorFor(original, options);
   WorkingMesh mesh(original.ground());
   SizeField sizes = original.sizes();

@@ -28,13 +28,13 @@ struct Remeshed {
 // are, for meshes that others are made from.
 enum class CrossingRule { Leave, MendInPlace, Mend };
 
-inline CrossingRule crossingsAfter(const RemeshOptions& options) {
+inline CrossingRule crossingsAfter(const PartOptions& options) {
   return options.repair == Repair::Off ? CrossingRule::Leave : CrossingRule::Mend;
 }
 
 // The settings of a run besides its original.
 struct RunSettings {
-  const RemeshOptions& options;
+  const PartOptions& options;
   double stagger;  // see Run
   Quantum quantum;
   ShapeComparison* comparison;  // with the mesh that may be taken instead, or null
@@ -46,11 +46,11 @@ struct RunSettings {
 Quantum quantumOf(const TriangleMesh& input);
 
 // Projects onto the surface that remeshing begins with.
-Projector projectorFor(const Prepared& original, const RemeshOptions& options);
+Projector projectorFor(const Prepared& original, const PartOptions& options);
 
 // The vertices that repaired surfaces of many pieces or handles are made of, where those asked for
 // do not suffice; otherwise 0. Any smaller number makes the same mesh.
-std::size_t enoughInstead(const Prepared& original, const RemeshOptions& options);
+std::size_t enoughInstead(const Prepared& original, const PartOptions& options);
 
 // Throws CANCELLED.
 Remeshed remeshOriginal(const Prepared& original, const RunSettings& settings,
@@ -59,7 +59,7 @@ Remeshed remeshOriginal(const Prepared& original, const RunSettings& settings,
 // Isotropic triangles of a plan, and the original that they are made on.
 class Isotropic {
  public:
-  Isotropic(Plan plan, const TriangleMesh& input, const RemeshOptions& options,
+  Isotropic(Plan plan, const TriangleMesh& input, const PartOptions& options,
             const Progress& progress)
       : input_(input),
         options_(options),
@@ -81,7 +81,7 @@ class Isotropic {
 
  private:
   const TriangleMesh& input_;
-  const RemeshOptions options_;
+  const PartOptions options_;
   const Prepared original_;
   ShapeComparison comparison_;
   OriginalTree tree_;

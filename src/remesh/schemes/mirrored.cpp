@@ -33,7 +33,7 @@ constexpr double kForcedShares[] = {1, 0.99, 1.01, 0.98, 1.02, 0.97, 1.03};
 constexpr double kDent = 0.12, kTimesNearer = 3;
 
 // Density, marks or kept triangles of the caller may lie on one side only.
-std::string oneSided(const RemeshOptions& options) {
+std::string oneSided(const PartOptions& options) {
   if (!options.density.empty()) return "density";
   if (!options.featureEdges.empty()) return "featureEdges";
   if (options.boundary != Boundary::Resample) return "boundary: keep";
@@ -90,7 +90,7 @@ struct Wished {
 
 // Quads of the half that these planes cut off, joined with their images.
 std::optional<RemeshOutcome> mirroredBy(const Wished& wished, const InputAttributes& whole,
-                                        RemeshOptions options, const HalfRemesher& remeshHalf) {
+                                        PartOptions options, const HalfRemesher& remeshHalf) {
   const Mirrors& mirrors = wished.mirrors;
   std::optional<Half> half = inFrontOf(
       mirrors, whole.input(), wished.kind == Kind::Any ? InPlane::LeftOut : InPlane::Refused);
@@ -164,7 +164,7 @@ bool Dent::isMendedBy(const Dent& other) const {
 }
 
 MirroredOutcome remeshMirrored(const TriangleMesh& input, const std::vector<MirrorPlane>& first,
-                               const RemeshOptions& options, const HalfRemesher& remeshHalf) {
+                               const PartOptions& options, const HalfRemesher& remeshHalf) {
   if (options.symmetry != Symmetry::Auto || !options.mirrors.planes.empty()) return {};
   const Extent extent = extentOf(input);
   const double wanted = options.vertices.value_or(Index(input.positions.size()));
@@ -207,7 +207,7 @@ MirroredOutcome remeshMirrored(const TriangleMesh& input, const std::vector<Mirr
   return {std::move(best), dent, all, free, std::move(lost)};
 }
 
-RemeshOutcome remeshForced(const TriangleMesh& input, const RemeshOptions& options,
+RemeshOutcome remeshForced(const TriangleMesh& input, const PartOptions& options,
                            const HalfRemesher& remeshHalf) {
   if (const std::string wish = oneSided(options); !wish.empty())
     throw Error(ErrorCode::InvalidOption,

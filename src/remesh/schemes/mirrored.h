@@ -18,12 +18,11 @@ struct Scope {
   double share = 1;     // of the vertices of all of them
 };
 // Makes quads of a surface as it is.
-using PlainRemesher =
-    std::function<RemeshOutcome(const TriangleMesh& input, const RemeshOptions& options,
-                                Scope scope, const Progress& progress)>;
-// Makes quads of a half, with its boundary along the planes: see RemeshOptions::mirrors.
+using PlainRemesher = std::function<RemeshOutcome(
+    const TriangleMesh& input, const PartOptions& options, Scope scope, const Progress& progress)>;
+// Makes quads of a half, with its boundary along the planes: see PartOptions::mirrors.
 using HalfRemesher =
-    std::function<RemeshOutcome(const TriangleMesh& half, const RemeshOptions& options)>;
+    std::function<RemeshOutcome(const TriangleMesh& half, const PartOptions& options)>;
 
 // Few quads that are farther from the shape than a small share of a side dent it, where others are
 // much nearer.
@@ -52,12 +51,12 @@ struct MirroredOutcome {
 // if the exact number or the surface's kind cannot be had so, or if another number takes single
 // quads out. first: planes that are tried before those through the input's own middle.
 MirroredOutcome remeshMirrored(const TriangleMesh& input, const std::vector<MirrorPlane>& first,
-                               const RemeshOptions& options, const HalfRemesher& remeshHalf);
+                               const PartOptions& options, const HalfRemesher& remeshHalf);
 
 // Mirrored by the planes that the caller names, whatever the input is: the side with more surface
 // is taken. Throws INVALID_OPTION if the wishes for places exclude that, or where nothing can be
 // cut off so.
-RemeshOutcome remeshForced(const TriangleMesh& input, const RemeshOptions& options,
+RemeshOutcome remeshForced(const TriangleMesh& input, const PartOptions& options,
                            const HalfRemesher& remeshHalf);
 
 }  // namespace remesher

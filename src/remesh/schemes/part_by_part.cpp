@@ -101,7 +101,7 @@ void uniteImages(DisjointSets& sets, const TriangleMesh& input, const PartNumber
 }
 
 // The planes that mirror the whole, if they are looked for.
-std::vector<MirrorPlane> planesOf(const TriangleMesh& input, const RemeshOptions& options) {
+std::vector<MirrorPlane> planesOf(const TriangleMesh& input, const PartOptions& options) {
   if (options.symmetry != Symmetry::Auto || !options.mirrors.planes.empty()) return {};
   const double wished = options.vertices.value_or(Index(input.positions.size()));
   return findMirrorPlanes(input, kPlainlyNear * evenEdgeLength(extentOf(input).area, wished));
@@ -113,8 +113,8 @@ SurfacePart partOf(const TriangleMesh& input, std::vector<Index> triangles) {
 }
 
 // The caller's wishes for places, which are by vertices of the whole, and a number of vertices.
-RemeshOptions optionsOf(const SurfacePart& part, const RemeshOptions& whole, double vertices) {
-  RemeshOptions options = whole;
+PartOptions optionsOf(const SurfacePart& part, const PartOptions& whole, double vertices) {
+  PartOptions options = whole;
   const auto number = Index(std::max(1LL, std::llround(vertices)));
   options.mirrors.vertices = number;
   options.vertices = Index(number >> whole.mirrors.planes.size());
@@ -184,7 +184,7 @@ void takePart(RemeshOutcome& whole, RemeshOutcome made, const SurfacePart& part,
 }  // namespace
 
 std::vector<SurfacePart> surfaceParts(const TriangleMesh& input, const BuiltMesh& built,
-                                      const RemeshOptions& options) {
+                                      const PartOptions& options) {
   const PartNumbers numbers = numbersOf(input, built);
   if (numbers.count < 2) return {};
   const std::vector<MirrorPlane> planes = planesOf(input, options);
@@ -215,7 +215,7 @@ std::vector<SurfacePart> surfaceParts(const TriangleMesh& input, const BuiltMesh
 }
 
 std::optional<RemeshOutcome> remeshPartByPart(const TriangleMesh& input, const Welding& welding,
-                                              const RemeshOptions& options,
+                                              const PartOptions& options,
                                               const PartRemesher& remeshPart,
                                               const Progress& progress) {
   progress.phase("build", 0, 0);
@@ -239,7 +239,7 @@ std::optional<RemeshOutcome> remeshPartByPart(const TriangleMesh& input, const W
   for (const SurfacePart& part : parts) {
     const bool isLast = &part == &parts.back();
     const double left = std::max(0.0, double(asked) - double(whole.vertices));
-    RemeshOptions own = optionsOf(
+    PartOptions own = optionsOf(
         part, options, isLast ? left : left * part.share / std::max({share, part.share, 1e-300}));
     own.exact = options.exact && isLast;
     own.guides = guides[std::size_t(&part - parts.data())];

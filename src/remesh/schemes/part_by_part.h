@@ -26,15 +26,15 @@ struct SurfacePart {
 // ones a row of quads is a smaller part. Parts without an area are left out. options: their density
 // counts, and whether mirror planes are looked for.
 std::vector<SurfacePart> surfaceParts(const TriangleMesh& input, const BuiltMesh& built,
-                                      const RemeshOptions& options);
+                                      const PartOptions& options);
 
 using PartRemesher = std::function<RemeshOutcome(const SurfacePart& part,
-                                                 const RemeshOptions& options, const Progress&)>;
+                                                 const PartOptions& options, const Progress&)>;
 
 // None if the surface is one connected part. Throws TARGET_TOO_SMALL as targetVertices does, and
 // what `remeshPart` throws.
 std::optional<RemeshOutcome> remeshPartByPart(const TriangleMesh& input, const Welding& welding,
-                                              const RemeshOptions& options,
+                                              const PartOptions& options,
                                               const PartRemesher& remeshPart,
                                               const Progress& progress);
 

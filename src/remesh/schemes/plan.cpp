@@ -21,7 +21,7 @@ constexpr double kFiner = 4, kWorthThinning = 2;
 
 // At the same number of vertices graded sizes have a shorter mean edge than even ones: the number
 // is corrected for that. Not where joints are kept: others are no longer because these are short.
-std::size_t correctedTarget(const OriginalSurface& surface, const RemeshOptions& options,
+std::size_t correctedTarget(const OriginalSurface& surface, const PartOptions& options,
                             const SizeRules& rules) {
   const auto vertices = std::size_t(rules.vertices);
   if (leadsByEdges(options)) return std::size_t(std::lround(SizeField(surface, rules).vertices()));
@@ -30,7 +30,7 @@ std::size_t correctedTarget(const OriginalSurface& surface, const RemeshOptions&
   return std::max<std::size_t>(4, std::size_t(std::lround(rules.vertices * ratio * ratio)));
 }
 
-std::size_t finalTarget(const OriginalSurface& surface, const RemeshOptions& options,
+std::size_t finalTarget(const OriginalSurface& surface, const PartOptions& options,
                         const SizeRules& rules, std::size_t copies) {
   const std::size_t wanted = correctedTarget(surface, options, rules);
   const std::size_t corners = countCorners(surface.curves(), surface.mesh());
@@ -44,14 +44,13 @@ SizeRules withSpikes(SizeRules rules, const Spikes& spikes) {
   return rules;
 }
 
-SizeRules finalRules(const OriginalSurface& surface, const RemeshOptions& options,
-                     SizeRules rules) {
+SizeRules finalRules(const OriginalSurface& surface, const PartOptions& options, SizeRules rules) {
   if (options.maxError) rules.error = *options.maxError / 100 * surface.diagonal();
   return rules;
 }
 
 // What rounding takes where the result is written is left of the bound.
-std::optional<ErrorBound> errorBound(const OriginalSurface& surface, const RemeshOptions& options) {
+std::optional<ErrorBound> errorBound(const OriginalSurface& surface, const PartOptions& options) {
   constexpr double kWritten = std::numeric_limits<float>::epsilon();
   if (!options.maxError) return {};
   return ErrorBound(surface,
@@ -61,7 +60,7 @@ std::optional<ErrorBound> errorBound(const OriginalSurface& surface, const Remes
 // No proxy with an error bound or a fidelity to normals, for these are judged on the original;
 // none for the rounds, which are the report's.
 std::optional<Proxy> proxyFor(const OriginalSurface& surface, std::size_t vertices,
-                              const RemeshOptions& options) {
+                              const PartOptions& options) {
   const bool fits = options.scheme == Scheme::Best && options.projection == Projection::Patches &&
                     options.fidelity.value_or(Fidelity::Fold) == Fidelity::Fold;
   const double thinned = kFiner * double(vertices);
@@ -104,7 +103,7 @@ struct CurveNeeds {
 // these corners is never refused. A repaired surface is not refused at all: where bodies are
 // united, many short curves meet, and only those that longer edges can follow become curves.
 CurveChoice chooseWithFlats(const BuiltMesh& built, const TriangleMesh& input,
-                            const RemeshOptions& options, const CurveNeeds& needs) {
+                            const PartOptions& options, const CurveNeeds& needs) {
   // One corner to so many vertices; the number that a length gives is known later, and may be a
   // third.
   const std::size_t mostCorners = options.edgeLength ? 6 : 2;
@@ -130,7 +129,7 @@ CurveChoice chooseWithFlats(const BuiltMesh& built, const TriangleMesh& input,
 // needs its leaves to meet, and each edge is followed like a seam. Quads divide the edges on either
 // side by their own length, so that these do not meet anyway.
 CurveChoice chooseWithJoints(const BuiltMesh& built, const TriangleMesh& input,
-                             const RemeshOptions& options, const CurveNeeds& needs) {
+                             const PartOptions& options, const CurveNeeds& needs) {
   constexpr std::size_t kMostShare = 2;
   const auto& [vertices, scale] = needs;
   const bool isTextured = !input.attributes.empty();
@@ -149,7 +148,7 @@ CurveChoice chooseWithJoints(const BuiltMesh& built, const TriangleMesh& input,
 
 }  // namespace
 
-Warning jointsReleased(const TriangleMesh& input, const RemeshOptions& options, std::size_t count) {
+Warning jointsReleased(const TriangleMesh& input, const PartOptions& options, std::size_t count) {
   return {
       "JOINTS_RELEASED",
       std::string("Edges at which the surface was cut apart were remeshed on either side, and may "
@@ -161,7 +160,7 @@ Warning jointsReleased(const TriangleMesh& input, const RemeshOptions& options, 
       count};
 }
 
-Plan planRun(const TriangleMesh& input, Welding welding, const RemeshOptions& options,
+Plan planRun(const TriangleMesh& input, Welding welding, const PartOptions& options,
              const Progress& progress) {
   progress.phase("build", 0, 0);
   BuiltMesh built = buildMesh(input, std::move(welding));
@@ -188,7 +187,7 @@ Plan planRun(const TriangleMesh& input, Welding welding, const RemeshOptions& op
           vertices,           std::move(warnings),      copies};
 }
 
-Prepared::Prepared(Plan plan, const RemeshOptions& options, const Progress& progress)
+Prepared::Prepared(Plan plan, const PartOptions& options, const Progress& progress)
     : transfer_((progress.phase("surface", 0, 0), std::move(plan.transfer))),
       warnings_(std::move(plan.warnings)),
       copies_(plan.copies),

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "base/options.h"
+#include "base/part_options.h"
 #include "base/progress.h"
 #include "original/surface/size_field.h"
 #include "remesh/gate/error_bound.h"
@@ -30,17 +30,17 @@ struct Plan {
 
 // Throws Error as buildMesh does, and NO_TRIANGLES, INVALID_OPTION, TARGET_TOO_SMALL,
 // OUT_OF_MEMORY, CANCELLED.
-Plan planRun(const TriangleMesh& input, Welding welding, const RemeshOptions& options,
+Plan planRun(const TriangleMesh& input, Welding welding, const PartOptions& options,
              const Progress& progress);
 
 // The warning that so many edges at which the surface was cut apart may no longer meet.
-Warning jointsReleased(const TriangleMesh& input, const RemeshOptions& options, std::size_t count);
+Warning jointsReleased(const TriangleMesh& input, const PartOptions& options, std::size_t count);
 
 // The original surface and its belongings, made from the plan; const afterwards.
 class Prepared {
  public:
   // Throws Error: TARGET_BELOW_CURVES, CANCELLED.
-  Prepared(Plan plan, const RemeshOptions& options, const Progress& progress);
+  Prepared(Plan plan, const PartOptions& options, const Progress& progress);
   Prepared(const Prepared&) = delete;
   Prepared& operator=(const Prepared&) = delete;
 

@@ -33,7 +33,7 @@ constexpr double kMapShare = 0.4;
 
 // Options for the isotropic triangles that quads are made of: quick, and without the options that
 // only triangles have.
-RemeshOptions optionsForQuads(RemeshOptions options) {
+PartOptions optionsForQuads(PartOptions options) {
   options.quality = Quality::Draft;
   options.scheme = Scheme::Best;
   options.adaptivity = options.adaptivity.value_or(0);
@@ -45,7 +45,7 @@ RemeshOptions optionsForQuads(RemeshOptions options) {
 }
 
 // The few vertices around the largest distances move to where these are smallest.
-void bringNearer(WorkingMesh& mesh, const Prepared& original, const RemeshOptions& options,
+void bringNearer(WorkingMesh& mesh, const Prepared& original, const PartOptions& options,
                  const Quantum& quantum) {
   Projector projector = projectorFor(original, options);
   SizeField sizes = original.sizes();
@@ -68,10 +68,10 @@ struct QuadRun {
   const Progress& progress;
 };
 
-RemeshOutcome remeshToQuads(Plan plan, const TriangleMesh& input, const RemeshOptions& wanted,
+RemeshOutcome remeshToQuads(Plan plan, const TriangleMesh& input, const PartOptions& wanted,
                             const QuadRun& run) {
   const Progress& progress = run.progress;
-  const RemeshOptions options = optionsForQuads(wanted);
+  const PartOptions options = optionsForQuads(wanted);
   std::vector<std::unique_ptr<Prepared>> originals;  // all of the same surface
   // Where pieces or handles need more vertices, all smaller numbers make the same mesh.
   struct {
@@ -149,8 +149,7 @@ RemeshOutcome outcomeOf(Followed followed, std::size_t vertices, std::vector<War
 
 // More vertices keep more curves, which have more corners: a number named in a message must do when
 // it is asked for.
-std::size_t enoughForCurves(const TriangleMesh& input, RemeshOptions options,
-                            std::size_t vertices) {
+std::size_t enoughForCurves(const TriangleMesh& input, PartOptions options, std::size_t vertices) {
   options.ratio.reset();
   options.edgeLength.reset();
   for (;;) {
@@ -168,7 +167,7 @@ std::size_t enoughForCurves(const TriangleMesh& input, RemeshOptions options,
 // The candidates for the triangles of a surface, each made when the chooser first asks for it.
 class SurfaceCandidates {
  public:
-  SurfaceCandidates(const TriangleMesh& input, Welding welding, const RemeshOptions& options,
+  SurfaceCandidates(const TriangleMesh& input, Welding welding, const PartOptions& options,
                     CrossingRule crossings, const Progress& progress)
       : input_(input),
         options_(options),
@@ -271,7 +270,7 @@ class SurfaceCandidates {
   // With more vertices than the original has, a bound too small to be seen gives them to the shape.
   Isotropic& bounded() {
     if (bounded_) return *bounded_;
-    RemeshOptions options = options_;
+    PartOptions options = options_;
     options.maxError = 100 * kSeen;
     const Progress progress = isotropic_ ? progress_.part(kHalf, 1) : progress_;
     Plan plan =
@@ -299,7 +298,7 @@ class SurfaceCandidates {
   static constexpr double kHalf = 0.5;
 
   const TriangleMesh& input_;
-  const RemeshOptions& options_;
+  const PartOptions& options_;
   const CrossingRule crossings_;
   const Progress& progress_;
   const bool mayFollow_;
@@ -311,8 +310,8 @@ class SurfaceCandidates {
 };
 
 RemeshOutcome chosenQuads(const TriangleMesh& input, const Welding& welding,
-                          const RemeshOptions& options, const Progress& progress) {
-  const auto plain = [](const TriangleMesh& part, const RemeshOptions& own, Scope scope,
+                          const PartOptions& options, const Progress& progress) {
+  const auto plain = [](const TriangleMesh& part, const PartOptions& own, Scope scope,
                         const Progress& stretch) {
     return remeshToQuads(planRun(part, Welding(part), own, stretch), part, own, {scope, stretch});
   };
@@ -327,7 +326,7 @@ RemeshOutcome chosenQuads(const TriangleMesh& input, const Welding& welding,
 
 }  // namespace
 
-bool mayFollow(const RemeshOptions& options) {
+bool mayFollow(const PartOptions& options) {
   return options.prefer != Prefer::Even && options.scheme == Scheme::Best &&
          options.density.empty() && options.featureEdges.empty() && options.bodies.empty() &&
          !options.maxError && !wantsOfEach(options) && !options.splitObtuse &&
@@ -335,8 +334,8 @@ bool mayFollow(const RemeshOptions& options) {
          (!isRemade(options.repair) || options.prefer == Prefer::Shape);
 }
 
-RemeshOutcome remeshSurface(const TriangleMesh& input, Welding welding,
-                            const RemeshOptions& options, const Progress& progress) {
+RemeshOutcome remeshSurface(const TriangleMesh& input, Welding welding, const PartOptions& options,
+                            const Progress& progress) {
   checkOptions(options, input.positions.size());
   try {
     if (options.quads) return chosenQuads(input, welding, options, progress);
@@ -350,8 +349,8 @@ RemeshOutcome remeshSurface(const TriangleMesh& input, Welding welding,
 }
 
 RemeshOutcome remeshUncrossed(const TriangleMesh& input, Welding welding,
-                              const RemeshOptions& options, const Progress& progress) {
-  RemeshOptions isotropic = options;
+                              const PartOptions& options, const Progress& progress) {
+  PartOptions isotropic = options;
   isotropic.prefer = Prefer::Even;
   return SurfaceCandidates(input, std::move(welding), isotropic, CrossingRule::Mend, progress)
       .chosen();

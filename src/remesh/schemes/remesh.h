@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "base/input_place.h"
-#include "base/options.h"
-#include "base/paired_part.h"
+#include "base/part_options.h"
 #include "base/progress.h"
 #include "base/report.h"
 #include "base/unmet.h"
@@ -38,17 +37,17 @@ struct RemeshOutcome {
 // Whether the vertices of the original that its shape needs may be taken instead of isotropic
 // triangles: not if the caller sets sizes, bounds or edges. Of a surface that a lattice has made,
 // only on demand. No collapse there looks for crossings: after repair the caller must.
-bool mayFollow(const RemeshOptions& options);
+bool mayFollow(const PartOptions& options);
 
 // Throws Error as buildMesh does, and NO_TRIANGLES, INVALID_OPTION, TARGET_TOO_SMALL,
 // TARGET_BELOW_CURVES, OUT_OF_MEMORY, CANCELLED.
-RemeshOutcome remeshSurface(const TriangleMesh& input, Welding welding,
-                            const RemeshOptions& options, const Progress& progress);
+RemeshOutcome remeshSurface(const TriangleMesh& input, Welding welding, const PartOptions& options,
+                            const Progress& progress);
 // The same for an input that intersects itself nowhere, without the triangles of its original: what
 // intersects itself in the result is mended, as far as possible.
 RemeshOutcome remeshUncrossed(const TriangleMesh& input, Welding welding,
-                              const RemeshOptions& options, const Progress& progress);
-inline RemeshOutcome remeshSurface(const TriangleMesh& input, const RemeshOptions& options,
+                              const PartOptions& options, const Progress& progress);
+inline RemeshOutcome remeshSurface(const TriangleMesh& input, const PartOptions& options,
                                    const Progress& progress) {
   requireValid(input);
   return remeshSurface(input, Welding(input), options, progress);

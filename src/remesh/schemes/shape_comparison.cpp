@@ -175,7 +175,7 @@ bool ShapeComparison::isAllFacets() const {
 }
 
 ShapeComparison::ShapeComparison(const Prepared& original, const TriangleMesh& input,
-                                 const RemeshOptions& options)
+                                 const PartOptions& options)
     : original_(original),
       input_(input),
       textures_(options.textures),

@@ -23,8 +23,7 @@ bool isFaceted(const BuiltMesh& built);
 // The other candidates are made on first use.
 class ShapeComparison {
  public:
-  ShapeComparison(const Prepared& original, const TriangleMesh& input,
-                  const RemeshOptions& options);
+  ShapeComparison(const Prepared& original, const TriangleMesh& input, const PartOptions& options);
 
   // Judges isotropic triangles before they are finished. Returns whether finishing them is in vain
   // because the simplified mesh is so much nearer.
@@ -85,7 +84,7 @@ class ShapeComparison {
   const Prepared& original_;
   const TriangleMesh& input_;
   Textures textures_;
-  double longest_;  // see RemeshOptions
+  double longest_;  // see PartOptions
   bool isPlain_;    // no textures, no colours, no second group
   double unseen_;   // the largest distance at any one point that is not seen, model units
   std::optional<bool> isOwn_, hasEnough_, isPart_, isIsotropicInstead_;

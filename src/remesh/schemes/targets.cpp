@@ -85,7 +85,7 @@ TooFewVertices::TooFewVertices(ErrorCode errorCode, const VertexNeeds& needs)
                      : ".")),
       VertexNeeds(needs) {}
 
-void checkOptions(const RemeshOptions& options, std::size_t inputVertices) {
+void checkOptions(const PartOptions& options, std::size_t inputVertices) {
   require(options.gradation > 1,
           "gradation is " + inDigits(options.gradation, kMessageDigits) + ", not above 1.",
           "Sizes need room to change: 1.5 is usual.");
@@ -133,7 +133,7 @@ void requireRoom(const ModelSize& model, double target, double addresses) {
               "Ask for fewer, or give the model in parts.");
 }
 
-std::size_t targetVertices(const BuiltMesh& built, const RemeshOptions& options) {
+std::size_t targetVertices(const BuiltMesh& built, const PartOptions& options) {
   const double own = double(countPlaces(built));
   double target = own;
   if (options.vertices) target = double(*options.vertices);
@@ -162,7 +162,7 @@ void checkCurves(std::size_t corners, std::size_t vertices) {
     throw TooFewVertices(ErrorCode::TargetBelowCurves, {vertices, corners, corners});
 }
 
-SizeRules sizeRules(const RemeshOptions& options, double vertices, std::span<const float> density) {
+SizeRules sizeRules(const PartOptions& options, double vertices, std::span<const float> density) {
   constexpr double kMild = 0.5;
   const double byScheme = options.scheme == Scheme::Best ? kMild : 0.0;
   SizeRules rules{vertices, options.adaptivity.value_or(byScheme), options.gradation, density};
@@ -172,7 +172,7 @@ SizeRules sizeRules(const RemeshOptions& options, double vertices, std::span<con
   return rules;
 }
 
-std::vector<float> densityOf(const BuiltMesh& built, const RemeshOptions& options) {
+std::vector<float> densityOf(const BuiltMesh& built, const PartOptions& options) {
   std::vector<float> result;
   if (options.density.empty()) return result;
   for (const Index source : built.sources.values()) result.push_back(options.density[source]);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/error.h"
-#include "base/options.h"
+#include "base/part_options.h"
 #include "mesh/mesh_builder.h"
 #include "original/curves/feature_curves.h"
 #include "original/surface/size_field.h"
@@ -27,7 +27,7 @@ struct Fewest {
 Fewest fewestVertices(const HalfedgeMesh& mesh);
 
 // Throws INVALID_OPTION for values out of range and for lists that do not fit the input.
-void checkOptions(const RemeshOptions& options, std::size_t inputVertices);
+void checkOptions(const PartOptions& options, std::size_t inputVertices);
 
 // Throws NO_TRIANGLES when there is none.
 double surfaceArea(const BuiltMesh& built);
@@ -43,7 +43,7 @@ void requireRoom(const ModelSize& model, double target, double addresses);
 // From vertices, ratio or edgeLength, else the input's own number. A target below the surface's
 // need is raised or refused with TARGET_TOO_SMALL, as the options say. Throws OUT_OF_MEMORY for a
 // target that no memory could hold.
-std::size_t targetVertices(const BuiltMesh& built, const RemeshOptions& options);
+std::size_t targetVertices(const BuiltMesh& built, const PartOptions& options);
 
 // The number of the original's vertices that are corners of curves; they never move.
 std::size_t countCorners(const FeatureCurves& curves, const HalfedgeMesh& mesh);
@@ -53,9 +53,9 @@ void checkCurves(std::size_t corners, std::size_t vertices);
 
 // The rules that the sizes follow. `density` is per vertex of the original and must outlive the
 // rules.
-SizeRules sizeRules(const RemeshOptions& options, double vertices, std::span<const float> density);
+SizeRules sizeRules(const PartOptions& options, double vertices, std::span<const float> density);
 
 // The caller's density, per input vertex, for each vertex of the original.
-std::vector<float> densityOf(const BuiltMesh& built, const RemeshOptions& options);
+std::vector<float> densityOf(const BuiltMesh& built, const PartOptions& options);
 
 }  // namespace remesher

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/input_place.h"
-#include "base/options.h"
+#include "base/part_options.h"
 #include "base/triangle_mesh.h"
 
 namespace remesher {

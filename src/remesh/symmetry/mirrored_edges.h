@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/options.h"
+#include "base/part_options.h"
 #include "geometry/triangle_tree.h"
 #include "mesh/mesh_builder.h"
 

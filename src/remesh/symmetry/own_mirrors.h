@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "base/options.h"
+#include "base/part_options.h"
 #include "base/triangle_mesh.h"
 
 namespace remesher {

@@ -15,8 +15,8 @@ using namespace remesher;
 
 namespace {
 
-RemeshOptions withAngle(double degrees) {
-  RemeshOptions options;
+PartOptions withAngle(double degrees) {
+  PartOptions options;
   options.minAngle = degrees;
   return options;
 }
@@ -30,7 +30,7 @@ RemeshOutcome made(const TriangleMesh& mesh, double degrees) {
 TEST_CASE("angle number: it leads only where nothing else does") {
   CHECK(leadsByAngle(withAngle(20)));
   CHECK(!leadsByAngle({}));
-  RemeshOptions options = withAngle(20);
+  PartOptions options = withAngle(20);
   options.maxEdge = 1;
   CHECK(!leadsByAngle(options));
   options.maxEdge.reset();
@@ -63,7 +63,7 @@ TEST_CASE(
     "angle number: with a mean length edges keep their limits, where facets are narrow, too") {
   // Rims of many short edges; a box, whose facets are wide enough for any edges.
   for (const TriangleMesh& part : {shapes::drilledPlate(48, 0.5), shapes::cube(4)}) {
-    RemeshOptions options = withAngle(20);
+    PartOptions options = withAngle(20);
     options.edgeLength = 0.5;
     options.minEdge = 0.2;
     options.maxEdge = 1;
@@ -80,7 +80,7 @@ TEST_CASE(
 
 TEST_CASE("angle number: no mesh without the angle where all triangles are isotropic anyway") {
   const TriangleMesh cube = shapes::cube(4);
-  RemeshOptions options = withAngle(20);
+  PartOptions options = withAngle(20);
   options.vertices = 120;
   const auto rule = [&] { return remeshAtAngle(cube, Welding(cube), options, {}).chosen.rule; };
   CHECK(rule() == "unlimited-keeps");
@@ -90,7 +90,7 @@ TEST_CASE("angle number: no mesh without the angle where all triangles are isotr
 
 TEST_CASE("angle number: with a number of vertices, too, the facets of a part keep its shape") {
   const TriangleMesh plate = shapes::drilledPlate(8, 0.5);
-  RemeshOptions options = withAngle(20);
+  PartOptions options = withAngle(20);
   for (const Index vertices : {120U, 400U}) {
     CAPTURE(vertices);
     options.vertices = vertices;
@@ -107,7 +107,7 @@ TEST_CASE("angle number: with a number of vertices, too, the facets of a part ke
 TEST_CASE("angle number: with a longest edge a prism keeps its facets where others would dent it") {
   TriangleMesh prism = shapes::cylinder(16, 1);
   for (Vec3& p : prism.positions) p.z() *= 5;
-  RemeshOptions options = withAngle(25);
+  PartOptions options = withAngle(25);
   options.maxEdge = 1;
   REQUIRE(limitsAngle(options));
   const RemeshOutcome outcome = remeshAtAngle(prism, Welding(prism), options, {});

@@ -18,8 +18,8 @@ TriangleMesh timesSize(TriangleMesh mesh, double factor) {
   return mesh;
 }
 
-RemeshOptions below(double percent) {
-  RemeshOptions options;
+PartOptions below(double percent) {
+  PartOptions options;
   options.dropBelow = percent;
   return options;
 }

@@ -13,8 +13,8 @@ namespace remesher {
 
 namespace {
 
-RemeshOptions budgetOf(Index faces) {
-  RemeshOptions options;
+PartOptions budgetOf(Index faces) {
+  PartOptions options;
   options.faces = faces;
   return options;
 }
@@ -82,7 +82,7 @@ TEST_CASE("face budget: parts that give up no triangle for some vertices come wi
 }
 
 TEST_CASE("face budget: quads that come in steps stay within it") {
-  RemeshOptions options = budgetOf(1800);
+  PartOptions options = budgetOf(1800);
   options.quads = true;
   for (const Index step : {1U, 17U, 60U}) {  // as many numbers of vertices give the same quads
     FaceSearch search(options, surface(8000, 2, 0));
@@ -100,7 +100,7 @@ TEST_CASE("face budget: quads that come in steps stay within it") {
 }
 
 TEST_CASE("face budget: quads have as many vertices as faces, but for open edges") {
-  RemeshOptions options = budgetOf(400);
+  PartOptions options = budgetOf(400);
   options.quads = true;
   CHECK(verticesFor(400, options, surface(8000, 2, 0)) == 402);
   CHECK(verticesFor(400, options, surface(800, 1, 80)) > 420);
@@ -108,7 +108,7 @@ TEST_CASE("face budget: quads have as many vertices as faces, but for open edges
 
 TEST_CASE(
     "face budget: a share keeps the corners of a part, and says so; a ball takes it as it is") {
-  RemeshOptions options;
+  PartOptions options;
   options.ratio = 0.5;
   CHECK(isBudget(options));
   options.tooFew = TooFew::Raise;

@@ -16,7 +16,7 @@ using namespace remesher;
 namespace {
 
 RemeshOutcome withinOnly(const TriangleMesh& mesh, double maxError) {
-  RemeshOptions options;
+  PartOptions options;
   options.quality = Quality::Draft;
   options.maxError = maxError;
   REQUIRE(asksForFewest(options));
@@ -86,7 +86,7 @@ TEST_CASE("fewest vertices: a bound near nothing is kept along the edges of the 
 
 TEST_CASE("fewest vertices: quads keep a bound by more of them than were asked for") {
   const TriangleMesh sphere = shapes::icosphere(3);
-  RemeshOptions options;
+  PartOptions options;
   options.quads = true;
   options.quality = Quality::Draft;
   options.maxError = 2;
@@ -105,7 +105,7 @@ TEST_CASE("fewest vertices: quads keep a bound by more of them than were asked f
 }
 
 TEST_CASE("fewest vertices: looked for where a bound is all that is asked for") {
-  RemeshOptions options;
+  PartOptions options;
   CHECK(!asksForFewest(options));
   options.maxError = 1;
   CHECK(asksForFewest(options));
@@ -114,7 +114,7 @@ TEST_CASE("fewest vertices: looked for where a bound is all that is asked for") 
 }
 
 TEST_CASE("fewest vertices: levels of detail are shares of what was found, and need no bound") {
-  RemeshOptions options;
+  PartOptions options;
   Report report;
   report.output = MeshReport{};
   report.output->vertices = 77;

@@ -57,8 +57,8 @@ TriangleMesh backwards(TriangleMesh mesh) {
   return mesh;
 }
 
-RemeshOptions to150() {
-  RemeshOptions options;
+PartOptions to150() {
+  PartOptions options;
   options.vertices = 150;
   return options;
 }
@@ -92,7 +92,7 @@ TEST_CASE("inspected_parts: place and unit of decimals do not change the result"
 TEST_CASE("inspected_parts: the order of vertices and triangles does not change the result") {
   const TriangleMesh mesh = bentTorus(Vec3::Zero(), 1);
   for (const bool quads : {false, true}) {
-    RemeshOptions options = to150();
+    PartOptions options = to150();
     options.quads = quads;
     const std::vector<PlacedTriangle> one =
         placedTriangles(remesh(mesh, options).mesh, Vec3::Zero(), 1);
@@ -103,12 +103,12 @@ TEST_CASE("inspected_parts: the order of vertices and triangles does not change 
 TEST_CASE("inspected_parts: density and feature edges follow their vertices") {
   const TriangleMesh mesh = bentTorus(Vec3::Zero(), 1);
   const Index last = Index(mesh.positions.size()) - 1;
-  RemeshOptions options = to150();
+  PartOptions options = to150();
   options.featureEdges = {{mesh.indices[0], mesh.indices[1]}};
   for (const Vec3& p : mesh.positions) options.density.push_back(p.x() > 0 ? 4.0F : 1.0F);
   const std::vector<PlacedTriangle> one =
       placedTriangles(remesh(mesh, options).mesh, Vec3::Zero(), 1);
-  RemeshOptions turned = options;
+  PartOptions turned = options;
   std::reverse(turned.density.begin(), turned.density.end());
   for (auto& [a, b] : turned.featureEdges) a = last - a, b = last - b;
   CHECK(placedTriangles(remesh(backwards(mesh), turned).mesh, Vec3::Zero(), 1) == one);

@@ -18,7 +18,7 @@ namespace {
 constexpr double kWithin = 0.05, kWideAngle = 40;
 
 RemeshOutcome remeshedOpenly(const TriangleMesh& mesh) {
-  const RemeshOptions options;
+  const PartOptions options;
   REQUIRE(leavesNumberOpen(options));
   return remeshAtOpenNumber(mesh, Welding(mesh), options, {});
 }
@@ -73,7 +73,7 @@ TEST_CASE("open number: where four times as many do not suffice the shape stays,
   REQUIRE(says(made, "ISOTROPIC_TAKES_MORE"));
   CHECK(made.chosen.rule == "own-number");
   const std::string& message = made.warnings.front().message;
-  RemeshOptions options;
+  PartOptions options;
   options.vertices = Index(std::stoul(message.substr(message.find("about ") + 6)));
   CHECK(*options.vertices > 4 * made.vertices);
   CHECK(isIsotropicOf(block, remeshSurface(block, Welding(block), options, {})));
@@ -81,14 +81,14 @@ TEST_CASE("open number: where four times as many do not suffice the shape stays,
 
 TEST_CASE("open number: not where a number, a bound or a kind of triangles is asked for") {
   const auto isOpen = [](auto set) {
-    RemeshOptions options;
+    PartOptions options;
     set(options);
     return leavesNumberOpen(options);
   };
-  CHECK(!isOpen([](RemeshOptions& o) { o.vertices = 100; }));
-  CHECK(!isOpen([](RemeshOptions& o) { o.ratio = 1; }));
-  CHECK(!isOpen([](RemeshOptions& o) { o.maxError = 1; }));
-  CHECK(!isOpen([](RemeshOptions& o) { o.prefer = Prefer::Shape; }));
-  CHECK(!isOpen([](RemeshOptions& o) { o.scheme = Scheme::Rounds; }));
-  CHECK(!isOpen([](RemeshOptions& o) { o.quads = true; }));
+  CHECK(!isOpen([](PartOptions& o) { o.vertices = 100; }));
+  CHECK(!isOpen([](PartOptions& o) { o.ratio = 1; }));
+  CHECK(!isOpen([](PartOptions& o) { o.maxError = 1; }));
+  CHECK(!isOpen([](PartOptions& o) { o.prefer = Prefer::Shape; }));
+  CHECK(!isOpen([](PartOptions& o) { o.scheme = Scheme::Rounds; }));
+  CHECK(!isOpen([](PartOptions& o) { o.quads = true; }));
 }

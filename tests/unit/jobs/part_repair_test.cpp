@@ -63,7 +63,7 @@ bool saysThatPartsMeet(const Report& report) {
                      [](const Warning& warning) { return warning.code == "PARTS_MEET"; });
 }
 
-std::size_t trianglesOfFirst(const std::vector<io::Part>& parts, RemeshOptions options) {
+std::size_t trianglesOfFirst(const std::vector<io::Part>& parts, PartOptions options) {
   options.repair = Repair::Wrap;  // by a lattice
   return repairParts(parts, options, {}).parts.front().mesh.triangleCount();
 }
@@ -122,7 +122,7 @@ TEST_CASE("part repair: bodies that come out inside out are turned, and cavities
 }
 
 TEST_CASE("part repair: a part has the lattice of the scene, and a part alone its own") {
-  RemeshOptions options;
+  PartOptions options;
   options.vertices = 8400;
   const auto trianglesOf = [&](const std::vector<io::Part>& parts) {
     return trianglesOfFirst(parts, options);
@@ -139,7 +139,7 @@ TEST_CASE("part repair: a part has the lattice of the scene, and a part alone it
 }
 
 TEST_CASE("part repair: an edge length is one of the world, in any unit") {
-  RemeshOptions options;
+  PartOptions options;
   options.edgeLength = 0.05;
   const std::size_t wanted = trianglesOfFirst({turnedCube(1)}, options);
   options.edgeLength = 0.064;
@@ -156,7 +156,7 @@ TEST_CASE("part repair: a thickness that rounding makes is joined before repair,
   TriangleMesh flat = shapes::icosphere(2);
   flat.isSingle = true;
   for (Vec3& p : flat.positions) p = inSingle({1e-8 * p.x(), p.y(), p.z()}, {});
-  RemeshOptions options;
+  PartOptions options;
   options.repair = Repair::Wrap;
   std::vector<io::Part> parts = {{"", flat, {}}};
   repairOnly(parts, Held::Apart, IfSound::IsRounded, options, {});
@@ -174,7 +174,7 @@ TEST_CASE("part repair: a part thinner than the frame's roundings intersects as 
 }
 
 TEST_CASE("part repair: parts that meet stay parts, which is said; in one solid they are united") {
-  RemeshOptions options;
+  PartOptions options;
   options.repair = Repair::Auto;
   const auto repaired = [&](double by, const char* output) {
     return repairFile(twoCubes(by), output, options).report;
@@ -196,7 +196,7 @@ TEST_CASE("part repair: parts that meet stay parts, which is said; in one solid 
 }
 
 TEST_CASE("part repair: bodies with more corners than vertices asked for get that number") {
-  RemeshOptions options;
+  PartOptions options;
   options.repair = Repair::Solid;
   for (const Index vertices : {60, 120, 240}) {
     options.vertices = vertices;
@@ -208,7 +208,7 @@ TEST_CASE("part repair: bodies with more corners than vertices asked for get tha
 }
 
 TEST_CASE("part repair: a shape that is preferred is one of the repaired surface, and sound") {
-  RemeshOptions options;
+  PartOptions options;
   options.repair = Repair::Solid;
   options.prefer = Prefer::Shape;
   options.vertices = 40;
@@ -236,7 +236,7 @@ TEST_CASE("part repair: coordinates that nothing changed are exactly those of th
     for (double& x : ring.positions[v]) x = std::nextafter(x, 100);
   TriangleMesh torn = ring;
   torn.indices.resize(torn.indices.size() - 6);
-  RemeshOptions options;
+  PartOptions options;
   options.repair = Repair::Auto;
   const auto repairedPart = [&](const TriangleMesh& mesh) {
     return repairParts({{"", mesh, {Transform::Identity()}}}, options, {}).parts.front().mesh;
@@ -253,7 +253,7 @@ TEST_CASE("part repair: coordinates that nothing changed are exactly those of th
 
 TEST_CASE(
     "part repair: a surface that is sound once its places are joined is not called unchanged") {
-  RemeshOptions options;
+  PartOptions options;
   options.repair = Repair::Auto;
   TriangleMesh mesh = soups::cube(0, 1);
   CHECK(repair(mesh, options).report.repair->reason == "sound");

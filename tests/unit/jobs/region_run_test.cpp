@@ -67,7 +67,7 @@ TEST_CASE("region: all other triangles stay bit for bit, and the surface stays c
   const TriangleMesh mesh = ball();
   const std::size_t places = mesh.positions.size();
   for (const double factor : {0.9, 1.0, 1.6}) {
-    RemeshOptions options;
+    PartOptions options;
     options.region = above(mesh, 0.4);
     options.vertices = Index(factor * double(places));
     const RemeshResult result = remesh(mesh, options);
@@ -89,7 +89,7 @@ TEST_CASE("region: a border with noise around zero is closed again") {
   for (Vec3& p : mesh.positions)
     if (std::abs(p.z()) < 1e-9) p.z() = ++noisy % 2 == 0 ? 1e-19 : -1e-19;
   REQUIRE(noisy > 0);
-  RemeshOptions options;
+  PartOptions options;
   options.region = above(mesh, 0);
   options.ratio = 1;
   const RemeshResult result = remesh(mesh, options);
@@ -99,7 +99,7 @@ TEST_CASE("region: a border with noise around zero is closed again") {
 
 TEST_CASE("region: with as many vertices as before the others keep their numbers") {
   const TriangleMesh mesh = ball();
-  RemeshOptions options;
+  PartOptions options;
   options.region = above(mesh, 0.4);
   options.ratio = 1.5;
   const RemeshResult result = remesh(mesh, options);
@@ -132,7 +132,7 @@ TEST_CASE("region: attributes outside and along the border stay, also where a se
       for (std::size_t k = 0; k < 3; ++k) mesh.indices[3 * t + k] += vertices;
     if (share.y() > 0.5) region.push_back(t);
   }
-  RemeshOptions options;
+  PartOptions options;
   options.region = region;
   options.edgeLength = 0.6 * shapes::meanEdge(mesh);
   const RemeshResult result = remesh(mesh, options);
@@ -150,7 +150,7 @@ TEST_CASE("region: attributes outside and along the border stay, also where a se
 TEST_CASE("region: what cannot be is refused with the numbers of the whole") {
   const TriangleMesh mesh = ball();
   const auto refusal = [&](auto change) {
-    RemeshOptions options;
+    PartOptions options;
     options.region = above(mesh, 0.4);
     change(options);
     try {
@@ -160,10 +160,10 @@ TEST_CASE("region: what cannot be is refused with the numbers of the whole") {
     }
     return std::string();
   };
-  CHECK(refusal([](RemeshOptions& o) { o.region = {9999}; }).find("triangle 9999") !=
+  CHECK(refusal([](PartOptions& o) { o.region = {9999}; }).find("triangle 9999") !=
         std::string::npos);
-  CHECK(refusal([](RemeshOptions& o) { o.vertices = 20; }).find("outside the region there are") !=
+  CHECK(refusal([](PartOptions& o) { o.vertices = 20; }).find("outside the region there are") !=
         std::string::npos);
-  CHECK(refusal([](RemeshOptions& o) { o.repair = Repair::Auto; }).find("bit for bit") !=
+  CHECK(refusal([](PartOptions& o) { o.repair = Repair::Auto; }).find("bit for bit") !=
         std::string::npos);
 }

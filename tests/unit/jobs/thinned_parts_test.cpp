@@ -21,8 +21,8 @@ std::vector<io::Part> fineSheet() {
   return {io::Part{"", mesh, {Transform::Identity()}}};
 }
 
-RemeshOptions vertices(Index count) {
-  RemeshOptions options;
+PartOptions vertices(Index count) {
+  PartOptions options;
   options.vertices = count;
   return options;
 }
@@ -66,7 +66,7 @@ TEST_CASE("thinned parts: vertices of no true triangle are not measured") {
 
 TEST_CASE("thinned parts: a ratio is one of the given vertices") {
   std::vector<io::Part> parts = fineSheet();
-  RemeshOptions options;
+  PartOptions options;
   options.ratio = 0.02;
   const ThinnedParts thinned(parts, options, kSmall);
   REQUIRE(thinned.isThinned());
@@ -75,12 +75,12 @@ TEST_CASE("thinned parts: a ratio is one of the given vertices") {
 }
 
 TEST_CASE("thinned parts: what the result can show, or an option needs, stays") {
-  std::vector<RemeshOptions> all = {vertices(200), vertices(60), vertices(60), vertices(60),
-                                    RemeshOptions()};
+  std::vector<PartOptions> all = {vertices(200), vertices(60), vertices(60), vertices(60),
+                                  PartOptions()};
   all[1].maxError = 1;
   all[2].quads = true;
   all[3].repair = Repair::Auto;
-  for (const RemeshOptions& options : all) {
+  for (const PartOptions& options : all) {
     std::vector<io::Part> parts = fineSheet();
     CHECK(!ThinnedParts(parts, options, kSmall).isThinned());
     CHECK(parts.front().mesh.triangleCount() == 5000);
@@ -108,10 +108,10 @@ TEST_CASE("thinned parts: slabs of several runs, joined, are remeshed as those o
 }
 
 TEST_CASE("thinned parts: slabs are refused where they would not be those of one run") {
-  std::vector<RemeshOptions> all = {RemeshOptions(), vertices(60), vertices(60), vertices(60)};
+  std::vector<PartOptions> all = {PartOptions(), vertices(60), vertices(60), vertices(60)};
   all[1].maxError = 1;
   all[2].weld = 1;
-  for (const RemeshOptions& options : all) {
+  for (const PartOptions& options : all) {
     std::vector<io::Part> parts = fineSheet();
     if (&options == &all.back()) parts.push_back(parts.front());
     CHECK_THROWS_AS(ThinnedParts(parts, options, kSmall, {3, 1}), Error);
@@ -123,7 +123,7 @@ TEST_CASE("thinned parts: slabs are refused where they would not be those of one
 TEST_CASE("thinned parts: what has no room is refused before the work, in numbers that are true") {
   ThinningLimits limits = kSmall;
   // 5000 triangles take 600 bytes each, or 75 and then 600 for each that is left.
-  const auto reported = [&](const RemeshOptions& options) -> std::string {
+  const auto reported = [&](const PartOptions& options) -> std::string {
     std::vector<io::Part> parts = fineSheet();
     try {
       const ThinnedParts thinned(parts, options, limits);
@@ -144,12 +144,12 @@ TEST_CASE("thinned parts: what has no room is refused before the work, in number
                    "thinned out first") != std::string::npos);
   CHECK(reported(vertices(104)) == "thinned");
   CHECK(reported(vertices(105)).find("For up to 104 vertices") != std::string::npos);
-  RemeshOptions bound = vertices(60);
+  PartOptions bound = vertices(60);
   bound.maxError = 1;
   CHECK(reported(bound).find(
             "For up to 104 vertices it is thinned out first, but not with maxError. ") !=
         std::string::npos);
-  RemeshOptions quads = vertices(60);
+  PartOptions quads = vertices(60);
   quads.quads = true;
   CHECK(reported(quads).find("but not with quads. ") != std::string::npos);
   limits.addresses = 0.5e6;

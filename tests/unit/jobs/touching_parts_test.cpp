@@ -61,8 +61,8 @@ bool says(const Report& report, const std::string& code) {
                      [&](const Warning& w) { return w.code == code; });
 }
 
-RemeshOptions conforming(Index vertices) {
-  RemeshOptions options;
+PartOptions conforming(Index vertices) {
+  PartOptions options;
   options.conform = true;
   options.vertices = vertices;
   options.quality = Quality::Draft;
@@ -112,7 +112,7 @@ TEST_CASE("conform: bodies share the triangles of their common faces, at the num
 
 TEST_CASE("conform: a smallest angle leads to a number, and to edges between faces that suit it") {
   for (const TriangleMesh& mesh : {shapes::twoBoxes(), shapes::boxOnPlate()}) {
-    RemeshOptions options;
+    PartOptions options;
     options.conform = true;
     options.minAngle = 20;
     const RemeshResult made = remesh(mesh, options);
@@ -123,7 +123,7 @@ TEST_CASE("conform: a smallest angle leads to a number, and to edges between fac
 }
 
 TEST_CASE("conform: with a mean length longer than facets are wide, angles and shape are kept") {
-  RemeshOptions options;
+  PartOptions options;
   options.conform = true;
   options.minAngle = 20;
   options.edgeLength = 1;
@@ -138,7 +138,7 @@ TEST_CASE("conform: bodies that touch along a whole edge as well have its vertic
   const TriangleMesh mesh =
       shapes::together({shapes::box({0, 0, 0}, {4, 4, 4}), shapes::box({4, 0, 0}, {8, 4, 4}),
                         shapes::box({0, 4, 4}, {4, 8, 8})});
-  RemeshOptions options;
+  PartOptions options;
   options.conform = true;
   options.edgeLength = 1;
   options.maxEdge = 2;
@@ -173,7 +173,7 @@ TEST_CASE("conform: a ball shares its whole surface with the cavity that it fill
 }
 
 TEST_CASE("conform: limits of every edge hold on common faces") {
-  RemeshOptions options;
+  PartOptions options;
   options.conform = true;
   options.maxEdge = 0.25;
   options.minAngle = 20;
@@ -214,7 +214,7 @@ TEST_CASE("conform: meshes of a scene keep their own triangles, spaces and attri
 TEST_CASE("conform: bodies that do not touch are remeshed as without, and gaps are said") {
   for (const double gap : {0.3, 0.004}) {
     const TriangleMesh mesh = shapes::twoBoxes(gap);
-    RemeshOptions options = conforming(300);
+    PartOptions options = conforming(300);
     const RemeshResult with = remesh(mesh, options);
     options.conform = false;
     const RemeshResult without = remesh(mesh, options);
@@ -251,22 +251,22 @@ TEST_CASE("conform: overlaps beside common faces are said, with a place") {
 }
 
 TEST_CASE("conform: what it cannot keep is refused") {
-  const std::vector<std::function<void(RemeshOptions&)>> others = {
-      [](RemeshOptions& o) { o.quads = true; },
-      [](RemeshOptions& o) { o.repair = Repair::Auto; },
-      [](RemeshOptions& o) { o.prefer = Prefer::Shape; },
-      [](RemeshOptions& o) { o.boundary = Boundary::Keep; },
-      [](RemeshOptions& o) { o.lods = {0.5}; },
-      [](RemeshOptions& o) { o.region = {0}; }};
+  const std::vector<std::function<void(PartOptions&)>> others = {
+      [](PartOptions& o) { o.quads = true; },
+      [](PartOptions& o) { o.repair = Repair::Auto; },
+      [](PartOptions& o) { o.prefer = Prefer::Shape; },
+      [](PartOptions& o) { o.boundary = Boundary::Keep; },
+      [](PartOptions& o) { o.lods = {0.5}; },
+      [](PartOptions& o) { o.region = {0}; }};
   for (const auto& set : others) {
-    RemeshOptions options = conforming(300);
+    PartOptions options = conforming(300);
     set(options);
     CHECK_THROWS_AS(remesh(shapes::twoBoxes(), options), Error);
   }
 }
 
 TEST_CASE("conform: without it bodies that touch are united, and a smallest angle is kept, too") {
-  RemeshOptions options;
+  PartOptions options;
   options.minAngle = 20;
   options.repair = Repair::Auto;
   const TriangleMesh mesh = shapes::together(

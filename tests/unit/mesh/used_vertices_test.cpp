@@ -49,7 +49,7 @@ TEST_CASE("used vertices: each stays, with its values, in its order, and each tr
 }
 
 TEST_CASE("used vertices: repair leaves no others, except where it changes nothing") {
-  RemeshOptions options;
+  PartOptions options;
   for (const Repair mode : {Repair::Holes, Repair::Auto})
     for (const std::size_t removed : {1, 6}) {  // triangles
       TriangleMesh mesh = ballAmong(3);

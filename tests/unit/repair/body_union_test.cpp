@@ -25,7 +25,7 @@ using namespace remesher;
 namespace {
 
 RepairedMesh repairedByAuto(const TriangleMesh& mesh) {
-  RemeshOptions options;
+  PartOptions options;
   options.repair = Repair::Auto;
   options.edgeLength = 1;  // so that the lattice is the coarsest that there is
   return repairSurface(mesh, options);
@@ -119,7 +119,7 @@ TEST_CASE("body_union: bodies and sheets both stay where each is what it is") {
   CHECK(result.report.reason == "sheets");
   CHECK(result.report.selfIntersections[1] == selfIntersections(both).size());
   CHECK(isSaid(result, "SHEETS_LEFT"));
-  RemeshOptions options;
+  PartOptions options;
   options.repair = Repair::Auto;
   options.edgeLength = 1;
   options.sheets = Sheets::Drop;

@@ -13,8 +13,8 @@ using namespace remesher;
 
 namespace {
 
-RemeshOptions asked(Repair repair) {
-  RemeshOptions options;
+PartOptions asked(Repair repair) {
+  PartOptions options;
   options.repair = repair;
   return options;
 }
@@ -33,7 +33,7 @@ TriangleMesh largeTriangles(std::size_t count) {
 TEST_CASE("fineness: half the edge length that is asked for, within bounds") {
   const TriangleMesh ball = shapes::icosphere(40);
   const double diagonal = diagonalOf(ball);
-  RemeshOptions options;
+  PartOptions options;
   options.edgeLength = diagonal / 80;
   CHECK(ruleFor(ball, options, InsideBy::Enclosure).spacing == doctest::Approx(diagonal / 160));
   options.edgeLength = diagonal;
@@ -44,7 +44,7 @@ TEST_CASE("fineness: half the edge length that is asked for, within bounds") {
 
 TEST_CASE("fineness: a finer lattice takes more memory and time, and a wrap more than a solid") {
   const TriangleMesh ball = shapes::icosphere(40);
-  RemeshOptions fine = asked(Repair::Solid);
+  PartOptions fine = asked(Repair::Solid);
   fine.edgeLength = diagonalOf(ball) / 400;
   const RepairNeeds holes = needsOf(ball, asked(Repair::Holes));
   const RepairNeeds solid = needsOf(ball, asked(Repair::Solid));
@@ -72,7 +72,7 @@ TEST_CASE("fineness: what a surface of many walls becomes counts, not only the l
 
 TEST_CASE("fineness: the lattice is coarser where memory asks for it, down to the coarsest") {
   const TriangleMesh few = shapes::icosphere(60), many = largeTriangles(3000);
-  RemeshOptions options = asked(Repair::Wrap);
+  PartOptions options = asked(Repair::Wrap);
   options.edgeLength = diagonalOf(few) / 1e6;
   const double finest = ruleFor(few, options, InsideBy::Reach).spacing;
   const double coarser = ruleFor(many, options, InsideBy::Reach).spacing;
@@ -82,7 +82,7 @@ TEST_CASE("fineness: the lattice is coarser where memory asks for it, down to th
 }
 
 TEST_CASE("fineness: few triangles do not get a surface of very many") {
-  RemeshOptions options = asked(Repair::Wrap);
+  PartOptions options = asked(Repair::Wrap);
   options.edgeLength = 1e-6;
   const TriangleMesh few = largeTriangles(10), more = largeTriangles(400);
   CHECK(ruleFor(few, options, InsideBy::Reach).spacing > 1.5 * diagonalOf(few) / 400);
@@ -92,7 +92,7 @@ TEST_CASE("fineness: few triangles do not get a surface of very many") {
 
 TEST_CASE("fineness: what no memory can hold is refused in a sentence, before the work") {
   const TriangleMesh ball = shapes::icosphere(6);
-  const RemeshOptions options = asked(Repair::Solid);
+  const PartOptions options = asked(Repair::Solid);
   const double bytes = needsOf(ball, options).bytes;
   CHECK_NOTHROW(requireMemory(ball, options));
   CHECK_NOTHROW(requireMemory(ball, options, bytes));

@@ -33,7 +33,7 @@ TriangleMesh kleinBottle(int n, int m) {
 }
 
 RepairedMesh repairedBy(Repair way, const TriangleMesh& mesh) {
-  RemeshOptions options;
+  PartOptions options;
   options.repair = way;
   return repairSurface(mesh, options);
 }

@@ -24,7 +24,7 @@ using namespace remesher;
 namespace {
 
 RepairedMesh mended(const TriangleMesh& mesh) {
-  RemeshOptions options;
+  PartOptions options;
   options.repair = Repair::Auto;
   options.edgeLength = 1;  // so that the lattice is the coarsest that there is
   return repairSurface(mesh, options);
@@ -181,7 +181,7 @@ TEST_CASE("repair: an open double shell loses its inner wall, whichever way that
 
 TEST_CASE("repair: how many vertices follow does not decide what is a sheet") {
   for (const TriangleMesh& mesh : {shapes::sliverFan(16), shapes::grid(9, 7)}) {
-    RemeshOptions options;
+    PartOptions options;
     options.repair = Repair::Auto;
     const std::string reason = repairSurface(mesh, options).report.reason;
     for (const Index vertices : {100U, 1500U, 6000U}) {
@@ -332,7 +332,7 @@ TEST_CASE("repair: bodies thinner than coordinates tell do not come out inside o
   }
   TriangleMesh twice = soups::joined({front, shapes::turnedOver(front)});
   twice.isSingle = true;
-  RemeshOptions options;
+  PartOptions options;
   options.repair = Repair::Solid;
   const RepairedMesh result = repairSurface(twice, options);
   CHECK(result.isRemade);
@@ -340,7 +340,7 @@ TEST_CASE("repair: bodies thinner than coordinates tell do not come out inside o
 }
 
 TEST_CASE("repair: only sheets, all to be dropped, are nothing") {
-  RemeshOptions options;
+  PartOptions options;
   options.repair = Repair::Wrap;
   options.sheets = Sheets::Drop;
   options.edgeLength = 1;
@@ -362,7 +362,7 @@ TEST_CASE("repair: with rims kept small open pieces stay as they are beside a ho
   TriangleMesh torn = shapes::icosphere(12);
   torn.indices.resize(torn.indices.size() - 9);
   soups::addTriangle(torn, {0, 0, 1.1}, {0.05, 0, 1.1}, {0, 0.05, 1.1});
-  RemeshOptions options;
+  PartOptions options;
   options.repair = Repair::Holes;
   const RepairedMesh closed = repairSurface(torn, options);
   CHECK(inspectMesh(closed.mesh).components == 1);
@@ -404,7 +404,7 @@ TEST_CASE("repair: rims stay open where that is asked for; closed they are named
   });
   for (int k = 0; k < 24; ++k)
     shapes::addTriangle(vase, shapes::addVertex(vase, {0, 0, 0}), Index(k + 1), Index(k));
-  RemeshOptions options;
+  PartOptions options;
   options.repair = Repair::Auto;
   const RepairedMesh closed = repairSurface(vase, options);
   CHECK(inspectMesh(closed.mesh).boundaryEdges == 0);

@@ -38,7 +38,7 @@ TriangleMesh relief() {
 }
 
 RepairedMesh madeBodies(const TriangleMesh& mesh, std::optional<double> thickness, bool hasBase) {
-  RemeshOptions options;
+  PartOptions options;
   options.repair = Repair::Auto;
   options.edgeLength = 1;
   options.thickness = thickness;

@@ -10,7 +10,7 @@
 
 #include <span>
 
-#include "base/options.h"
+#include "base/part_options.h"
 #include "remesh/quads/field/face_frames.h"
 
 namespace remesher {

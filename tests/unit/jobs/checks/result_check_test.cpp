@@ -192,7 +192,7 @@ TEST_CASE("result check: a part of facets that is dented is said, with what its 
     Report report;
     report.output = inspectMesh(after[0].mesh);
     report.fidelity = FidelityReport{hausdorff, 0};
-    RemeshOptions options;
+    PartOptions options;
     options.tooFew = tooFew;
     return dentedPart(report, {before, after, {}}, options);
   };

@@ -28,7 +28,7 @@ bool isFromBelow(const TriangleMesh& mesh) {
   });
 }
 
-io::Part partOf(TriangleMesh mesh, bool isOpaque) {
+io::Part drawnPart(TriangleMesh mesh, bool isOpaque) {
   io::Part part{"", std::move(mesh), {}};
   part.groups.resize(1);
   part.groups.front().look.isOpaque = isOpaque;
@@ -47,8 +47,8 @@ TEST_CASE("faces of what is seen through are drawn in the original's order") {
     reversed.isQuads = isQuads;
     REQUIRE_FALSE(isFromBelow(reversed));
     for (const bool isOpaque : {true, false}) {
-      std::vector<io::Part> made = {partOf(reversed, isOpaque)};
-      keepDrawingOrder(made, {partOf(layers(7), isOpaque)});
+      std::vector<io::Part> made = {drawnPart(reversed, isOpaque)};
+      keepDrawingOrder(made, {drawnPart(layers(7), isOpaque)});
       CHECK(isFromBelow(made.front().mesh) == !isOpaque);
       if (isQuads) CHECK(arePairs(made.front().mesh));
     }

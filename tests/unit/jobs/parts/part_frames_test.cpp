@@ -122,7 +122,7 @@ TEST_CASE("part_frames: parts near the origin whose place is far away are near e
 
 TEST_CASE("part_frames: a mesh of any size is remeshed as one of size one is") {
   const TriangleMesh torus = shapes::torus(12, 8);
-  RemeshOptions options;
+  PartOptions options;
   for (const Scheme scheme : {Scheme::Best, Scheme::Rounds}) {
     options.scheme = scheme;
     options.edgeLength = 1.6;
@@ -173,7 +173,7 @@ TEST_CASE("part_frames: along axes of its own, a quarter turn of a surface chang
 }
 
 TEST_CASE("part_frames: a mesh turned by quarters is remeshed as the mesh is, and turned") {
-  RemeshOptions options;
+  PartOptions options;
   options.vertices = 150;
   for (const bool quads : {false, true}) {
     options.quads = quads;

@@ -21,7 +21,7 @@ io::Part partAt(const Vec3& where) {
 TEST_CASE("part guides: each goes to the nearest place, in that part's own space") {
   std::vector<io::Part> parts = {partAt({0, 0, 0}), partAt({10, 0, 0})};
   parts[0].instances.push_back(Transform(Eigen::Translation3d(0, 20, 0)));
-  RemeshOptions options;
+  PartOptions options;
   options.quads = true;
   options.guides = {{{{10, 0, 1}, {11, 0, 0}}, GuideKind::Direction, false, "arc"},
                     {{{0, 20, 1}, {1, 20, 0}}, GuideKind::Direction, false, "copy"}};
@@ -35,7 +35,7 @@ TEST_CASE("part guides: each goes to the nearest place, in that part's own space
 }
 
 TEST_CASE("part guides: what is far away is named, with its distance") {
-  RemeshOptions options;
+  PartOptions options;
   options.quads = true;
   options.guides = {{{{0, 0, 3}, {1, 0, 3}}, GuideKind::Direction, false, "cloud"}};
   const SharedGuides shared = sharedGuides({partAt({0, 0, 0})}, options);

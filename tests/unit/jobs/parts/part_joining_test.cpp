@@ -27,7 +27,7 @@ TEST_CASE("part joining: a model of loose triangles gets advice that joins them"
   const std::size_t at = warnings[0].message.find("--weld ");
   REQUIRE(at != std::string::npos);
   const double percent = std::stod(warnings[0].message.substr(at + 7));
-  RemeshOptions options;
+  PartOptions options;
   options.weld = percent;
   const std::vector<io::Part> whole = joinedPlaces(parts, options);
   CHECK(inspectScaled(whole).boundaryEdges == 0);

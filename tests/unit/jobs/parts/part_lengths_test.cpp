@@ -26,7 +26,7 @@ TEST_CASE("part lengths: a length is its percent of the diagonal in the world") 
   const io::Part part = shownTetrahedron(1000);
   const double diagonal = worldDiagonal({part});
   CHECK(diagonal == doctest::Approx(1000 * diagonalOf(part.mesh)));
-  RemeshOptions options;
+  PartOptions options;
   options.lengths.maxError = 0.02 * diagonal;
   options.lengths.dropBelow = 0.5 * diagonal;
   options = withPercents(options, {part});
@@ -37,7 +37,7 @@ TEST_CASE("part lengths: a length is its percent of the diagonal in the world") 
 
 TEST_CASE("part lengths: each part has its own percent, for the same length in the world") {
   const io::Part large = shownTetrahedron(100), small = shownTetrahedron(1);
-  RemeshOptions options;
+  PartOptions options;
   options.lengths.gap = 0.1;
   options.lengths.dropBelow = 0.1;
   options = withPercents(options, {large, small});
@@ -49,7 +49,7 @@ TEST_CASE("part lengths: each part has its own percent, for the same length in t
 }
 
 TEST_CASE("part lengths: options in percent stay as they are, and so does nothing at all") {
-  RemeshOptions options;
+  PartOptions options;
   options.maxError = 3;
   CHECK(*withPercents(options, {shownTetrahedron(7)}).maxError == 3);
   CHECK(*withPercentsOf(shapes::tetrahedron(), 5, options).maxError == 3);
@@ -59,10 +59,10 @@ TEST_CASE("part lengths: options in percent stay as they are, and so does nothin
 }
 
 TEST_CASE("part lengths: a mean length of edges limits each edge where angles are limited") {
-  RemeshOptions options;
+  PartOptions options;
   options.edgeLength = 5;
   const auto limited = [&] {
-    RemeshOptions own = options;
+    PartOptions own = options;
     limitEdges(own);
     return own;
   };
@@ -84,7 +84,7 @@ TEST_CASE(
     const Vec3 first = part.mesh.positions[0];
     part.mesh.positions.push_back(first + Vec3(1e-3, 0, 0));  // a millionth at the smallest place
     part.mesh.indices.insert(part.mesh.indices.end(), {4, 1, 2});
-    RemeshOptions options;
+    PartOptions options;
     options.lengths.weld = 0.002 * size;
     CHECK(joinedPlaces({part}, options)[0].mesh.positions[4] == first);
     options.lengths.weld = 0.0005 * size;

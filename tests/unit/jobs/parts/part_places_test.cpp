@@ -108,7 +108,7 @@ TEST_CASE("part places: the bound and the distance said hold at every place, how
   const auto said = [](const Report& report) {
     return report.fidelity->hausdorff / 100 * report.input.diagonal * 1.001;
   };
-  RemeshOptions options;
+  PartOptions options;
   options.vertices = 200;
   const RemeshSceneResult plain = remeshScene({{torus, places}}, options, {});
   CHECK(farthest(plain.meshes[0]) <= said(plain.report));
@@ -122,7 +122,7 @@ TEST_CASE("part places: the bound and the distance said hold at every place, how
 TEST_CASE("part places: triangles are even where the part is shown, and the report is of that") {
   const TriangleMesh ball = singled(shapes::icosphere(3));
   for (const Transform& place : {scaling(20, 1, 1), Transform(turned(40) * scaling(0.2, 1, 3))}) {
-    RemeshOptions options;
+    PartOptions options;
     options.vertices = 400;
     const RemeshSceneResult result = remeshScene({{ball, {place}}}, options, {});
     const TriangleMesh shown = placed(result.meshes[0], place);

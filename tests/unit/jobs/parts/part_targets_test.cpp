@@ -21,8 +21,7 @@ io::Part partOf(const TriangleMesh& mesh, double scale) {
 }
 
 // Remeshes all in order, and returns how many vertices each part has in the end.
-std::vector<std::size_t> remeshed(const std::vector<io::Part>& parts,
-                                  const RemeshOptions& options) {
+std::vector<std::size_t> remeshed(const std::vector<io::Part>& parts, const PartOptions& options) {
   const std::vector<PartPlace> places = placesOf(parts);
   PartTargets targets(parts, places, options);
   std::vector<std::size_t> vertices(parts.size());
@@ -43,7 +42,7 @@ std::size_t sum(const std::vector<std::size_t>& counts) {
 
 TEST_CASE("part_targets: vertices are shared out by area in the world") {
   const TriangleMesh torus = shapes::torus(24, 16);
-  RemeshOptions options;
+  PartOptions options;
   options.vertices = 1000;
   const std::vector<std::size_t> vertices =
       remeshed({partOf(torus, 1), partOf(torus, 2), partOf(torus, 1)}, options);
@@ -53,7 +52,7 @@ TEST_CASE("part_targets: vertices are shared out by area in the world") {
 
 TEST_CASE("part_targets: a budget of faces that is too small refuses no part") {
   const std::vector<io::Part> parts(3, partOf(shapes::torus(24, 16), 1));
-  RemeshOptions options;
+  PartOptions options;
   options.prefer = Prefer::Shape;
   options.vertices = 12;
   CHECK_THROWS_AS(remeshed(parts, options), TooFewVertices);
@@ -65,7 +64,7 @@ TEST_CASE("part_targets: what is shown in several sizes has the mean of its area
   const TriangleMesh torus = shapes::torus(24, 16);
   io::Part twice = partOf(torus, 3);
   twice.instances.push_back(partOf(torus, 1).instances.front());
-  RemeshOptions options;
+  PartOptions options;
   options.vertices = 900;
   const std::vector<std::size_t> vertices = remeshed({partOf(torus, 1), twice}, options);
   CHECK(sum(vertices) == 900);
@@ -75,7 +74,7 @@ TEST_CASE("part_targets: what is shown in several sizes has the mean of its area
 TEST_CASE("part_targets: what is not shown has its share by its own area, at the others' size") {
   const TriangleMesh torus = shapes::torus(24, 16);
   io::Part hidden = partOf(torus, 0), unused{"", torus, {}};
-  RemeshOptions options;
+  PartOptions options;
   options.vertices = 900;
   const std::vector<std::size_t> vertices = remeshed({partOf(torus, 100), hidden, unused}, options);
   CHECK(sum(vertices) == 900);
@@ -88,7 +87,7 @@ TEST_CASE("part_targets: what is not shown has its share by its own area, at the
 
 TEST_CASE("part_targets: what a part takes beyond its share the others do without") {
   const TriangleMesh torus = shapes::torus(24, 16);
-  RemeshOptions options;
+  PartOptions options;
   options.vertices = 900;
   const std::vector<io::Part> parts = {partOf(torus, 1), partOf(torus, 1)};
   const std::vector<PartPlace> places = placesOf(parts);
@@ -101,7 +100,7 @@ TEST_CASE("part_targets: small parts have what they need, and the whole its numb
   const std::vector<io::Part> parts = {partOf(shapes::torus(24, 16), 1),
                                        partOf(shapes::tetrahedron(), 0.001),
                                        partOf(shapes::cube(2), 0.001)};
-  RemeshOptions options;
+  PartOptions options;
   options.vertices = 500;
   const std::vector<std::size_t> vertices = remeshed(parts, options);
   CHECK(sum(vertices) == 500);
@@ -115,7 +114,7 @@ TEST_CASE("part_targets: small parts have what they need, and the whole its numb
 TEST_CASE("part_targets: what charts need comes first, and by area all have at least a quarter") {
   const std::vector<io::Part> parts = {partOf(shapes::paintedSheet(9, 2), 1),
                                        partOf(shapes::torus(24, 16), 4)};
-  RemeshOptions options;
+  PartOptions options;
   double need = 0;
   for (const ChartNeed& chart : chartNeeds(parts[0].mesh, options))
     need = std::max(need, std::ceil(chart.vertices));
@@ -129,7 +128,7 @@ TEST_CASE("part_targets: what charts need comes first, and by area all have at l
 }
 
 TEST_CASE("part_targets: where the shape is preferred, flat parts leave vertices to bent ones") {
-  RemeshOptions options;
+  PartOptions options;
   options.prefer = Prefer::Shape;
   options.vertices = 300;
   const std::vector<std::size_t> vertices =
@@ -140,7 +139,7 @@ TEST_CASE("part_targets: where the shape is preferred, flat parts leave vertices
 
 TEST_CASE("part_targets: where the shape is preferred, a part gets more the larger it is shown") {
   const TriangleMesh torus = shapes::torus(24, 16);
-  RemeshOptions options;
+  PartOptions options;
   options.prefer = Prefer::Shape;
   options.vertices = 500;
   const std::vector<std::size_t> alike = remeshed({partOf(torus, 2), partOf(torus, 2)}, options);
@@ -152,7 +151,7 @@ TEST_CASE("part_targets: where the shape is preferred, a part gets more the larg
 }
 
 TEST_CASE("part_targets: a number that is asked for and too small for the whole is refused") {
-  RemeshOptions options;
+  PartOptions options;
   options.vertices = 3;
   CHECK_THROWS_AS(remeshed({partOf(shapes::tetrahedron(), 1)}, options), Error);
   options.vertices = 7;

@@ -61,7 +61,7 @@ TEST_CASE("part_unions: tiles that meet still do, wherever each is kept") {
     const io::Part left = partAt(tile(0, 20), Transform::Identity());
     const io::Part right = partAt(tile(1, 20), place);
     for (const Index count : {80U, 300U, 1500U}) {
-      RemeshOptions options;
+      PartOptions options;
       options.vertices = count;
       const RemeshSceneResult result =
           remeshScene({{left.mesh, left.instances}, {right.mesh, right.instances}}, options, {});

@@ -27,7 +27,7 @@ struct Case {
 };
 
 RemeshOutcome run(const Case& c, Scheme scheme) {
-  RemeshOptions options;
+  PartOptions options;
   options.scheme = scheme;
   options.vertices = c.vertices;
   options.maxError = c.error;

@@ -41,7 +41,7 @@ double farthest(const Run& run) {
 
 TEST_CASE("poor regions: no triangle stays below 20°, and the surface stays where it is") {
   shapes::TestRun test(steepSphere());
-  RemeshOptions options;
+  PartOptions options;
   options.scheme = Scheme::Rounds;
   test.run.asked.rule = fidelityRule(options);
   crowd(test);

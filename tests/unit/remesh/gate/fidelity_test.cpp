@@ -12,7 +12,7 @@ using namespace remesher;
 namespace {
 
 FidelityRule rule(Fidelity mode, double vertexAngle, double triangleAngle) {
-  RemeshOptions options;
+  PartOptions options;
   options.fidelity = mode;
   options.vertexAngle = vertexAngle;
   options.triangleAngle = triangleAngle;

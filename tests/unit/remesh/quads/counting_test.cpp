@@ -45,7 +45,7 @@ std::size_t irregularOf(const TriangleMesh& mesh) {
 }
 
 RemeshOutcome quadsOf(const TriangleMesh& mesh, Index vertices) {
-  RemeshOptions options;
+  PartOptions options;
   options.quads = true;
   options.vertices = vertices;
   return remeshSurface(mesh, options, {});
@@ -93,7 +93,7 @@ TEST_CASE("counting: boxes are grids, whose number may be a few hundredths off")
 }
 
 TEST_CASE("counting: an exact number that is missed is said") {
-  RemeshOptions options;
+  PartOptions options;
   options.quads = options.exact = true;
   for (const Index vertices : {9U, 98U, 151U}) {
     options.vertices = vertices;

@@ -127,7 +127,7 @@ TEST_CASE("quads: nothing folds at sharp edges, and each of them is followed") {
 
 TEST_CASE("quads: teeth shorter than quads are wide stay apart") {
   const TriangleMesh ring = toothedRing(14);
-  RemeshOptions options;
+  PartOptions options;
   options.quads = true;
   for (const Index vertices : {300U, 500U}) {
     options.vertices = vertices;
@@ -152,7 +152,7 @@ TEST_CASE("quads: of a ball hold the volume of the ball") {
     return sum;
   };
   const TriangleMesh ball = shapes::icosphere(12);
-  RemeshOptions options;
+  PartOptions options;
   options.quads = true;
   std::vector<double> shares;
   for (const std::size_t vertices : {390, 400, 410}) {
@@ -165,7 +165,7 @@ TEST_CASE("quads: of a ball hold the volume of the ball") {
 }
 
 TEST_CASE("quads: lines across a ball hardly bend where quads are large") {
-  RemeshOptions options;
+  PartOptions options;
   options.quads = true;
   options.vertices = 600;
   const TriangleMesh mesh = remeshSurface(shapes::icosphere(12), options, {}).mesh;
@@ -289,7 +289,7 @@ TEST_CASE("quads: few quads are made of few triangles") {
 TEST_CASE("quads: few vertices lose no tip that those of neighbouring numbers have") {
   TriangleMesh cone = shapes::cone(17);
   for (Vec3& p : cone.positions) p.z() *= 1.5;
-  RemeshOptions options;
+  PartOptions options;
   options.quads = true;
   options.vertices = 35;
   const RemeshOutcome made = remeshSurface(cone, options, {});
@@ -308,7 +308,7 @@ TEST_CASE("quads: tiny parts beside a body take no quads out of it") {
     mesh.positions.insert(mesh.positions.end(), cone.positions.begin(), cone.positions.end());
     for (const Index v : cone.indices) mesh.indices.push_back(first + v);
   }
-  RemeshOptions options;
+  PartOptions options;
   options.quads = true;
   for (const Index vertices : {800U, 1000U, 1500U}) {
     options.vertices = vertices;
@@ -328,7 +328,7 @@ TEST_CASE("quads: where a dozen curves have too little room for each other quads
   constexpr Index kAround = 12, kDown = 16;
   constexpr double kTop = 0.25;  // of the hole, in radians
   TriangleMesh ball;
-  RemeshOptions options;
+  PartOptions options;
   for (Index y = 0; y <= kDown; ++y)
     for (Index x = 0; x < kAround; ++x) {
       const double down = kTop + (std::numbers::pi - kTop) * y / kDown;

@@ -23,7 +23,7 @@ double mostNeeded(const TriangleMesh& mesh) {
 
 // Whether anything of the sheet remeshed shows its middle.
 bool showsMiddle(const TriangleMesh& sheet, double vertices) {
-  RemeshOptions options;
+  PartOptions options;
   options.vertices = Index(vertices);
   const RemeshOutcome outcome = remeshSurface(sheet, options, {});
   const std::vector<float>& uv = outcome.mesh.attributes.front().values;

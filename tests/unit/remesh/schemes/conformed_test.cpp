@@ -19,7 +19,7 @@ using namespace remesher;
 namespace {
 
 RemeshOutcome remeshed(const TriangleMesh& input, Index vertices, Prefer prefer) {
-  RemeshOptions options;
+  PartOptions options;
   options.vertices = vertices;
   options.prefer = prefer;
   return remeshSurface(input, options, {});

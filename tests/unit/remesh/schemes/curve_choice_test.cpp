@@ -15,7 +15,7 @@ using namespace remesher;
 namespace {
 
 TriangleMesh remeshed(const TriangleMesh& input, Index vertices, Quality quality) {
-  RemeshOptions options;
+  PartOptions options;
   options.vertices = vertices;
   options.quality = quality;
   const RemeshOutcome outcome = remeshSurface(input, options, {});
@@ -57,7 +57,7 @@ TEST_CASE("flat sides: a bottom that runs into fillets has no dent at any number
 
 TEST_CASE("flat sides: sides of quads run along a bottom's rims, where these bend enough") {
   const double bottom = shapes::kBarLength * (shapes::kBarWidth - 2 * shapes::kFilletRadius);
-  RemeshOptions options;
+  PartOptions options;
   options.quads = true;
   const auto flatShare = [&](int steps, Index vertices) {
     options.vertices = vertices;
@@ -73,7 +73,7 @@ TEST_CASE("flat sides: sides of quads run along a bottom's rims, where these ben
 
 TEST_CASE("curves: quads follow both edges of a slope a fifth of a side wide") {
   const TriangleMesh bar = barWithSlope();
-  RemeshOptions options;
+  PartOptions options;
   options.quads = true;
   for (const Index vertices : {400, 600, 900}) {
     CAPTURE(vertices);
@@ -85,7 +85,7 @@ TEST_CASE("curves: quads follow both edges of a slope a fifth of a side wide") {
 
 TEST_CASE("curves: near edges stay for quads where flat sides have too many corners") {
   const BuiltMesh built = buildMesh(barWithSlope());
-  RemeshOptions options;
+  PartOptions options;
   options.quads = true;
   for (const Flats flats : {Flats::Bordered, Flats::Unknown}) {
     const CurveChoice choice = chooseCurves(built, {}, options, {0.5, {}, {}, flats});
@@ -124,7 +124,7 @@ TEST_CASE("curves: a border ends at a plane that mirrors a half, however little 
   half.positions = {{0, 0, 0}, {1, 0, 0}, {2, slight, 0}, {2, 1, 0}, {0, 1, 0}};
   half.indices = {0, 1, 4, 1, 2, 3, 1, 3, 4};
   const BuiltMesh built = buildMesh(half);
-  RemeshOptions options;
+  PartOptions options;
   for (const bool isMirrored : {false, true}) {
     if (isMirrored) options.mirrors.planes = {{Vec3::UnitY(), 0}};
     const FeatureCurves curves = chooseCurves(built, half, options, {0.1, {}, {}}).curves;

@@ -8,7 +8,7 @@
 using namespace remesher;
 
 TEST_CASE("edge limits: sizes leave room on both sides, or lie between the limits") {
-  RemeshOptions options;
+  PartOptions options;
   CHECK(sizeBounds(options).shortest == 0);
   CHECK(sizeBounds(options).longest == kInfinity);
   options.maxEdge = 2;
@@ -22,7 +22,7 @@ TEST_CASE("edge limits: sizes leave room on both sides, or lie between the limit
 }
 
 TEST_CASE("edge limits: a longest edge leads the number, a shortest one only limits it") {
-  RemeshOptions options;
+  PartOptions options;
   options.maxEdge = 2;
   const double coarse = numberByEdges(options, 100, 10);
   options.maxEdge = 1;

@@ -48,7 +48,7 @@ TriangleMesh coin(Index sides) {
 }
 
 TriangleMesh remeshed(const TriangleMesh& input, Index vertices, Textures textures) {
-  RemeshOptions options;
+  PartOptions options;
   options.vertices = vertices;
   options.textures = textures;
   if (textures == Textures::Keep) options.prefer = Prefer::Even;
@@ -295,7 +295,7 @@ TEST_CASE("follow: what isotropic triangles show has isotropic triangles") {
 
 TEST_CASE("follow: taken for pleats that isotropic triangles lose, not for what is round") {
   const auto preferred = [](const TriangleMesh& input, double share, Prefer prefer) {
-    RemeshOptions options;
+    PartOptions options;
     options.ratio = share;
     options.prefer = prefer;
     options.detectFeatures = false;
@@ -315,7 +315,7 @@ TEST_CASE("follow: more vertices than its own take a body of flat sides no farth
     const double own = double(inspectMesh(input).vertices);
     for (const double times : {1.0, 1.02, 1.1, 1.3, 2.0, 4.0}) {
       CAPTURE(times);
-      RemeshOptions options;
+      PartOptions options;
       options.vertices = Index(std::lround(times * own));
       const RemeshOutcome outcome = remeshSurface(input, options, {});
       CHECK(inspectMesh(outcome.mesh).vertices == *options.vertices);
@@ -332,7 +332,7 @@ TEST_CASE("follow: the places of a divided mesh are its own, or none") {
     for (int k = 0; k < 2; ++k) input.attributes[0].values.push_back(float(p[k]));
   for (const double times : {1.05, 1.3, 2.0, 3.9}) {
     CAPTURE(times);
-    RemeshOptions options;
+    PartOptions options;
     options.vertices = Index(std::lround(times * double(inspectMesh(input).vertices)));
     const RemeshOutcome outcome = remeshSurface(input, options, {});
     CHECK((outcome.places.empty() || outcome.places.size() == outcome.mesh.indices.size()));
@@ -345,7 +345,7 @@ TEST_CASE("follow: with about its own number of vertices a body of flat sides st
   const TriangleMesh input = coin(64);
   for (const Index vertices : {128u, 129u}) {
     CAPTURE(vertices);
-    RemeshOptions options;
+    PartOptions options;
     options.vertices = vertices;
     const RemeshOutcome outcome = remeshSurface(input, options, {});
     CHECK(outcome.prefer == Prefer::Shape);
@@ -363,7 +363,7 @@ TEST_CASE("follow: a colour on each cell of a body does not cost its shape") {
   };
   CHECK(away(coloured).farthest < 1.1 * away(plain).farthest);
   // Nor is a number raised that has no room for the corners of all cells.
-  RemeshOptions options;
+  PartOptions options;
   options.vertices = Index(own / 3);
   options.tooFew = TooFew::Raise;
   CHECK(remeshSurface(coloured, options, {}).vertices == own / 3);

@@ -61,8 +61,8 @@ bool saidIn(const RemeshOutcome& made, const std::string& code) {
                      [&](const Warning& warning) { return warning.code == code; });
 }
 
-RemeshOptions unmirrored(Index vertices) {
-  RemeshOptions options;
+PartOptions unmirrored(Index vertices) {
+  PartOptions options;
   options.quads = true;
   options.vertices = vertices;
   options.symmetry = Symmetry::Off;
@@ -73,7 +73,7 @@ RemeshOptions unmirrored(Index vertices) {
 
 TEST_CASE("guided: a loop becomes a closed chain of sides; without it there is none") {
   const TriangleMesh sphere = shapes::icosphere(16);
-  RemeshOptions options = unmirrored(600);
+  PartOptions options = unmirrored(600);
   const Vec3 axis(1, 2, 3);
   CHECK_FALSE(chainOn(remeshSurface(sphere, options, {}).mesh, 0.4, axis).isClosed);
   options.guides = {slantingCircle(0.4, axis)};
@@ -86,7 +86,7 @@ TEST_CASE("guided: a loop becomes a closed chain of sides; without it there is n
 
 TEST_CASE("guided: where planes mirror the quads, the guide of one side is on both") {
   const TriangleMesh sphere = shapes::icosphere(16);
-  RemeshOptions options = unmirrored(600);
+  PartOptions options = unmirrored(600);
   options.symmetry = Symmetry::X;
   options.guides = {slantingCircle(0.8, {-1, 0, 0})};
   const RemeshOutcome made = remeshSurface(sphere, options, {});
@@ -102,7 +102,7 @@ TEST_CASE("guided: where planes are forced, a guide goes if its image is far fro
   };
   TriangleMesh egg = shapes::icosphere(16);
   for (Vec3& p : egg.positions) narrowed(p);
-  RemeshOptions options = unmirrored(600);
+  PartOptions options = unmirrored(600);
   options.guides = {slantingCircle(0.5, {-1, 0, 0})};
   for (Vec3& p : options.guides[0].points) narrowed(p);
   for (const Symmetry forced : {Symmetry::X, Symmetry::Y, Symmetry::Z}) {
@@ -119,7 +119,7 @@ TEST_CASE("guided: guides go to the connected part that is nearest") {
   const TriangleMesh other = shapes::icosphere(8);
   for (const Vec3& p : other.positions) two.positions.push_back(p + Vec3(3, 0, 0));
   for (const Index v : other.indices) two.indices.push_back(v + count);
-  RemeshOptions options = unmirrored(500);
+  PartOptions options = unmirrored(500);
   Guide guide = slantingCircle(0.3, {0, 1, 2});
   for (Vec3& p : guide.points) p += Vec3(3, 0, 0);
   options.guides = {guide};
@@ -135,7 +135,7 @@ TEST_CASE("guided: attributes are at their places, on both sides of a guide") {
   for (const Vec3& p : sphere.positions)
     for (int axis = 0; axis < 3; ++axis) own.values.push_back(float(p[axis]));
   sphere.attributes = {own};
-  RemeshOptions options = unmirrored(400);
+  PartOptions options = unmirrored(400);
   options.guides = {slantingCircle(0.2, {0, 0, 1})};
   const RemeshOutcome made = remeshSurface(sphere, options, {});
   REQUIRE(made.mesh.attributes.size() == 1);

@@ -26,7 +26,7 @@ TriangleMesh lopsidedBall(double share) {
 }
 
 RemeshOutcome quadsOf(const TriangleMesh& mesh, Symmetry symmetry) {
-  RemeshOptions options;
+  PartOptions options;
   options.quads = true;
   options.vertices = 400;
   options.symmetry = symmetry;
@@ -109,7 +109,7 @@ TEST_CASE("mirrored: a seam on one side only does not keep quads from being mirr
 }
 
 TEST_CASE("mirrored: a symmetry that is given up is said, with its reason") {
-  RemeshOptions options;
+  PartOptions options;
   options.quads = options.exact = true;
   options.vertices = 401;
   const RemeshOutcome odd = remeshSurface(shapes::icosphere(8), options, {});
@@ -127,7 +127,7 @@ TEST_CASE("mirrored: a symmetry that is given up is said, with its reason") {
 TEST_CASE("mirrored: few quads keep the corners of a slab that fewer planes keep") {
   TriangleMesh slab = shapes::cube(2);
   for (Vec3& p : slab.positions) p = p.cwiseProduct(Vec3(4, 2, 0.5));
-  RemeshOptions options;
+  PartOptions options;
   options.quads = true;
   for (const Index vertices : {56, 58}) {
     options.vertices = vertices;

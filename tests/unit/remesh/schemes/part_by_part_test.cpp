@@ -44,13 +44,13 @@ std::size_t irregularBelow(const TriangleMesh& mesh, double bound) {
 }
 
 RemeshOutcome quadsOf(const TriangleMesh& mesh, Index vertices) {
-  RemeshOptions options;
+  PartOptions options;
   options.quads = true;
   options.vertices = vertices;
   return remeshSurface(mesh, options, {});
 }
 
-std::vector<SurfacePart> partsOf(const TriangleMesh& mesh, const RemeshOptions& options = {}) {
+std::vector<SurfacePart> partsOf(const TriangleMesh& mesh, const PartOptions& options = {}) {
   return surfaceParts(mesh, buildMesh(mesh), options);
 }
 
@@ -91,7 +91,7 @@ TEST_CASE("part by part: parts that a plane mirrors onto each other are one") {
   const std::vector<SurfacePart> parts = partsOf(mesh);
   REQUIRE(parts.size() == 2);
   CHECK(parts[0].mesh.triangleCount() == 2 * shapes::icosphere(3).triangleCount());
-  RemeshOptions off;
+  PartOptions off;
   off.symmetry = Symmetry::Off;
   CHECK(partsOf(mesh, off).size() == 3);
 }
@@ -133,7 +133,7 @@ TEST_CASE("part by part: attributes and groups of each part come with it") {
 }
 
 TEST_CASE("part by part: an exact number is that of all parts together") {
-  RemeshOptions options;
+  PartOptions options;
   options.quads = options.exact = true;
   options.vertices = 701;
   const RemeshOutcome made = remeshSurface(bodyWithCones(3), options, {});

@@ -131,7 +131,7 @@ double fromSides(const Vec3& p) {
   return nearest;
 }
 
-RemeshOutcome run(const TriangleMesh& mesh, Index vertices, RemeshOptions options = {}) {
+RemeshOutcome run(const TriangleMesh& mesh, Index vertices, PartOptions options = {}) {
   options.vertices = vertices;
   return remeshSurface(mesh, options, {});
 }
@@ -139,7 +139,7 @@ RemeshOutcome run(const TriangleMesh& mesh, Index vertices, RemeshOptions option
 }  // namespace
 
 TEST_CASE("quality: a draft has the number, the topology and the curves of the best") {
-  RemeshOptions options;
+  PartOptions options;
   options.quality = Quality::Draft;
   for (const TriangleMesh& body : {shapes::torus(48, 24), shapes::cylinder(96, 24)}) {
     const RemeshOutcome outcome = run(body, 2000, options);
@@ -221,7 +221,7 @@ TEST_CASE("curves: the planes of a blade stay plane, however often it is remeshe
 TEST_CASE("curves: a kept boundary comes out bit for bit, however many vertices are asked for") {
   const TriangleMesh mesh = hills();
   const auto before = asSet(edgesOf(mesh, Which::Open));
-  RemeshOptions options;
+  PartOptions options;
   options.boundary = Boundary::Keep;
   for (const Scheme scheme : {Scheme::Best, Scheme::Rounds})
     for (const Index vertices : {300, 900}) {
@@ -235,7 +235,7 @@ TEST_CASE("curves: a kept boundary comes out bit for bit, however many vertices 
 }
 
 TEST_CASE("curves: beside a kept boundary of long edges triangles grow to match") {
-  RemeshOptions options;
+  PartOptions options;
   options.boundary = Boundary::Keep;
   const TriangleMesh mesh = run(hills(), 4000, options).mesh;
   std::vector<int> faces(mesh.positions.size(), 0);
@@ -271,7 +271,7 @@ TEST_CASE("curves: between two side by side vertices lie in gaps") {
     uv.values.push_back(float(p.y()));
   }
   band.attributes.push_back(std::move(uv));
-  RemeshOptions options;
+  PartOptions options;
   options.vertices = 2 * 53;
   const TriangleMesh mesh = remeshSurface(band, options, {}).mesh;
   double sum = 0;
@@ -287,7 +287,7 @@ TEST_CASE("curves: the number that is named where vertices are too few is enough
   // Columns of several heights: the more vertices, the more of their edges are kept.
   const TriangleMesh columns =
       shapes::cells(8, [](int x, int y, int z) { return z < 1 + (x * 5 + y * 3) % 7; });
-  RemeshOptions options;
+  PartOptions options;
   options.vertices = 60;
   std::size_t needed = 0;
   try {
@@ -313,7 +313,7 @@ TEST_CASE("curves: where three sheets meet in short edges quads are square, and 
       sheets.positions.emplace_back(p.x() * std::cos(angle), p.y(), p.x() * std::sin(angle));
     }
   }
-  RemeshOptions options;
+  PartOptions options;
   options.quads = true;
   options.vertices = 200;
   const TriangleMesh mesh = remeshSurface(sheets, options, {}).mesh;
@@ -338,7 +338,7 @@ TEST_CASE("curves: quads of thin boxes that touch along an edge stay within them
                    0, 1, 7,  0, 7,  6,  4,  2,  0,  4,  0,  6,  3, 5,  7,  3, 7,  1,
                    8, 6, 7,  8, 7,  9,  10, 12, 13, 10, 13, 11, 7, 6,  10, 7, 10, 11,
                    8, 9, 13, 8, 13, 12, 10, 6,  8,  10, 8,  12, 7, 11, 13, 7, 13, 9};
-  RemeshOptions options;
+  PartOptions options;
   options.quads = true;
   options.vertices = 14;
   const TriangleMesh mesh = remeshSurface(boxes, options, {}).mesh;

@@ -59,7 +59,7 @@ TEST_CASE("targets: over an edge's length target sizes change by no more than th
 }
 
 TEST_CASE("targets: what no memory could hold is refused before it is tried") {
-  RemeshOptions options;
+  PartOptions options;
   const auto codeOf = [&](const TriangleMesh& mesh) {
     try {
       remeshSurface(mesh, options, {});
@@ -82,7 +82,7 @@ TEST_CASE("targets: triangles that are all lines are no surface") {
   TriangleMesh lines;
   lines.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
   lines.indices = {0, 1, 2};
-  RemeshOptions options;
+  PartOptions options;
   for (const bool byCount : {true, false}) {
     if (byCount) options.vertices = 100;
     options.edgeLength = byCount ? std::optional<double>() : 0.1;

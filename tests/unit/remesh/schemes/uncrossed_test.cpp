@@ -25,7 +25,7 @@ TriangleMesh thinShell() {
 }
 
 TriangleMesh remeshed(const TriangleMesh& input, Repair repair, Index vertices = 300) {
-  RemeshOptions options;
+  PartOptions options;
   options.vertices = vertices;
   options.repair = repair;
   return remeshSurface(input, Welding(input), options, {}).mesh;
@@ -68,7 +68,7 @@ TriangleMesh lattice() {
 }  // namespace
 
 TEST_CASE("uncrossed: a surface of too many handles for its vertices is sound, with more of them") {
-  RemeshOptions options;
+  PartOptions options;
   options.vertices = 200;
   options.repair = Repair::Solid;
   const TriangleMesh input = lattice();
@@ -85,7 +85,7 @@ TEST_CASE("uncrossed: a surface of too many handles for its vertices is sound, w
 }
 
 TEST_CASE("uncrossed: for quads of too many handles for their vertices one mesh is made") {
-  RemeshOptions options;
+  PartOptions options;
   options.vertices = 4;
   options.symmetry = Symmetry::Off;
   options.quality = Quality::Draft;

@@ -95,7 +95,7 @@ TEST_CASE("boundaries: a resampled one stays within 0.1 % of the diagonal, in bo
 }
 
 TEST_CASE("boundaries: triangles there are as good as inside, within 2°") {
-  RemeshOptions options;
+  PartOptions options;
   options.vertices = 2000;
   for (const Outline outline : {Outline::Square, Outline::Round})
     for (const double winding : {0.0, 0.01}) {

@@ -89,7 +89,7 @@ TEST_CASE("chart_keeper: no triangle spans two charts, whether their seams are k
   const TriangleMesh input = strips();
   for (const std::size_t vertices : {60, 200, 1500}) {
     CAPTURE(vertices);
-    RemeshOptions options;
+    PartOptions options;
     options.vertices = vertices;
     const TriangleMesh mesh = remeshSurface(input, options, {}).mesh;
     const std::vector<float>& uv = texcoords(mesh);
@@ -106,7 +106,7 @@ TEST_CASE("chart_keeper: no triangle spans two charts, whether their seams are k
 }
 
 TEST_CASE("chart_keeper: a vertex takes the value at the nearest place of the triangle's chart") {
-  RemeshOptions options;
+  PartOptions options;
   options.vertices = 60;  // edges three strips long: most seams are let go
   const TriangleMesh mesh = remeshSurface(strips(), options, {}).mesh;
   const std::vector<float>& uv = texcoords(mesh);
@@ -121,7 +121,7 @@ TEST_CASE("chart_keeper: a vertex takes the value at the nearest place of the tr
 
 TEST_CASE("chart_keeper: a chart too narrow for triangles gives way all along") {
   const TriangleMesh input = sheetOf([](Index x) { return x < 12 ? 0U : x == 12 ? 1U : 2U; });
-  RemeshOptions options;
+  PartOptions options;
   options.vertices = 100;  // edges 2.6 long beside a strip 1 wide
   const TriangleMesh mesh = remeshSurface(input, options, {}).mesh;
   const std::vector<float>& uv = texcoords(mesh);
@@ -157,7 +157,7 @@ TEST_CASE("chart_keeper: a triangle all within what is absorbed shows what is no
 
 TEST_CASE("chart_keeper: a step too low for triangles takes its neighbour's shading") {
   const TriangleMesh input = step();
-  RemeshOptions options;
+  PartOptions options;
   options.vertices = 100;  // edges 2.6 long, and a step of 0.2: less than a tenth
   options.prefer = Prefer::Even;
   const TriangleMesh mesh = remeshSurface(input, options, {}).mesh;
@@ -171,7 +171,7 @@ TEST_CASE("chart_keeper: a step too low for triangles takes its neighbour's shad
 
 TEST_CASE("chart_keeper: both halves of a quad show one chart, and share its places") {
   const TriangleMesh input = sheetOf([](Index x) { return x / 3; });
-  RemeshOptions options;
+  PartOptions options;
   options.vertices = 90;
   options.quads = true;
   const TriangleMesh mesh = remeshSurface(input, options, {}).mesh;

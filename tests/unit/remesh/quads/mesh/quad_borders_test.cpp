@@ -66,7 +66,7 @@ TEST_CASE("quad borders: sides that only one quad has follow the border of the o
 }
 
 TEST_CASE("quad borders: around holes of all sizes no quad is missing, at any number") {
-  RemeshOptions options;
+  PartOptions options;
   options.quads = true;
   const TriangleMesh middle = plate(Vec3::Zero(), 0.32, 64),
                      wide = plate(Vec3(0.2, 0.13, 0), 0.32, 60),

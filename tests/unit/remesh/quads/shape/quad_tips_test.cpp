@@ -12,13 +12,14 @@ using namespace remesher;
 
 namespace {
 
-constexpr int kSide = 4, kQuads = 3;  // of quads, in triangles' sides; quads in a row
+constexpr int kTrianglesPerSide = 4, kQuads = 3;  // of quads, in triangles' sides; quads in a row
 
 // A flat sheet with a hill, whose top is over the middle of the middle quad. height: in sides.
 TriangleMesh hill(double height) {
-  TriangleMesh mesh = shapes::grid(kSide * kQuads, kSide * kQuads);
-  const Vec3 middle = Vec3(0.5, 0.5, 0) * kSide * kQuads;
-  for (Vec3& p : mesh.positions) p.z() = std::max(0.0, height * kSide - 0.8 * (p - middle).norm());
+  TriangleMesh mesh = shapes::grid(kTrianglesPerSide * kQuads, kTrianglesPerSide * kQuads);
+  const Vec3 middle = Vec3(0.5, 0.5, 0) * kTrianglesPerSide * kQuads;
+  for (Vec3& p : mesh.positions)
+    p.z() = std::max(0.0, height * kTrianglesPerSide - 0.8 * (p - middle).norm());
   return mesh;
 }
 
@@ -26,7 +27,7 @@ TriangleMesh hill(double height) {
 QuadMesh coarse(const WorkingMesh& ground) {
   QuadMesh quads = shapes::quadSheet(kQuads, kQuads, shapes::Wraps::No, shapes::flat);
   for (Placement& place : quads.vertices) {
-    const Vec3 wanted = place.position * kSide;
+    const Vec3 wanted = place.position * kTrianglesPerSide;
     Index nearest = 0;
     for (Index v = 0; v < ground.mesh().vertexCapacity(); ++v)
       if ((ground.position(Vertex(v)) - wanted).norm() <
@@ -54,7 +55,7 @@ TEST_CASE("quad tips: a top between the vertices gets one, and nothing folds") {
   REQUIRE(heightOf(quads) == 0);  // without work
   CHECK(reachTips(quads, ground, 4, work));
   CHECK(check(quads) == "");
-  CHECK(heightOf(quads) > 0.35 * kSide);
+  CHECK(heightOf(quads) > 0.35 * kTrianglesPerSide);
   const MovingQuads moving(quads, ground);
   for (Index q = 0; q < quads.quads.size(); ++q) CHECK(moving.quality(q) > kLeastSine);
 }
