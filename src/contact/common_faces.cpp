@@ -10,9 +10,9 @@
 #include "base/place.h"
 #include "contact/face_overlay.h"
 #include "contact/met_borders.h"
+#include "geometry/box.h"
 #include "geometry/mesh_triangle.h"
 #include "geometry/triangle.h"
-#include "geometry/triangle_tree.h"
 #include "mesh/edge_groups.h"
 
 namespace remesher {

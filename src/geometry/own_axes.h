@@ -4,7 +4,7 @@
 #pragma once
 
 #include "base/quarter_turn.h"
-#include "geometry/triangle_tree.h"
+#include "geometry/box.h"
 
 namespace remesher {
 

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/triangle_tree.h"
+#include "geometry/box.h"
 
 namespace remesher {
 

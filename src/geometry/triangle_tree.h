@@ -15,25 +15,10 @@
 #include <vector>
 
 #include "base/types.h"
-#include "geometry/extremes.h"
+#include "geometry/box.h"
 #include "geometry/triangle.h"
 
 namespace remesher {
-
-struct Box {
-  Vec3 low = Vec3::Constant(kInfinity);
-  Vec3 high = Vec3::Constant(-kInfinity);
-
-  void extend(const Vec3& p) {
-    for (Eigen::Index axis = 0; axis < 3; ++axis) {
-      low[axis] = least(low[axis], p[axis]);
-      high[axis] = greatest(high[axis], p[axis]);
-    }
-  }
-  bool overlaps(const Box& other) const {
-    return (low.array() <= other.high.array()).all() && (high.array() >= other.low.array()).all();
-  }
-};
 
 // The part of a line between two parameters; direction: unit.
 struct Stretch {

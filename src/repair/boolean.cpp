@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/fires.h"
-#include "geometry/triangle_tree.h"
+#include "geometry/box.h"
 #include "repair/exact_repair.h"
 #include "repair/touching_faces.h"
 

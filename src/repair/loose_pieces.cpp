@@ -8,6 +8,7 @@
 #include "base/disjoint_sets.h"
 #include "base/place.h"
 #include "geometry/triangle.h"
+#include "geometry/triangle_tree.h"
 
 namespace remesher {
 

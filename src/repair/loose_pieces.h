@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/types.h"
-#include "geometry/triangle_tree.h"
+#include "geometry/box.h"
 
 namespace remesher {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/triangle_tree.h"
+#include "geometry/box.h"
 #include "mesh/mesh_builder.h"
 
 namespace remesher {

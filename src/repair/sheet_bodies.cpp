@@ -12,8 +12,8 @@
 
 #include "arrangement/points.h"
 #include "base/disjoint_sets.h"
+#include "geometry/box.h"
 #include "geometry/triangle.h"
-#include "geometry/triangle_tree.h"
 #include "mesh/edge_groups.h"
 #include "mesh/mesh_builder.h"
 #include "repair/flat_base.h"

@@ -9,9 +9,9 @@
 #include <numeric>
 #include <utility>
 
+#include "geometry/box.h"
 #include "geometry/own_axes.h"
 #include "geometry/triangle.h"
-#include "geometry/triangle_tree.h"
 
 namespace remesher {
 namespace {

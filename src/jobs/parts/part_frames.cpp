@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/box.h"
 #include "geometry/triangle.h"
-#include "geometry/triangle_tree.h"
 #include "mesh/joining.h"
 
 namespace remesher {

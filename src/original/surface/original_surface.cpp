@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "original/surface/original_surface.h"
 
+#include "geometry/box.h"
 #include "geometry/triangle.h"
-#include "geometry/triangle_tree.h"
 
 namespace remesher {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/triangle_tree.h"
+#include "geometry/box.h"
 #include "mesh/joining.h"
 
 namespace remesher {

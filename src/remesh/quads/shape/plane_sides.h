@@ -9,6 +9,7 @@
 //     ===o=======o===        ===o=======o===
 #pragma once
 
+#include "base/part_options.h"
 #include "remesh/quads/mesh/quad_mesh.h"
 
 namespace remesher {
