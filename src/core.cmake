@@ -42,6 +42,7 @@ set(linear
   src/arrangement/points.cpp
   src/arrangement/sheet_triangulation.cpp
   src/arrangement/sheets.cpp
+  src/base/place.cpp
   src/geometry/predicates.cpp
   src/geometry/quad.cpp
   src/geometry/ray_crossings.cpp
@@ -91,7 +92,6 @@ set(small
   src/base/fires.cpp
   src/base/legible.cpp
   src/base/phase_clock.cpp
-  src/base/place.cpp
   src/base/room.cpp
   src/base/triangle_mesh.cpp
   src/boolean.cpp
