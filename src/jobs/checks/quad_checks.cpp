@@ -2,7 +2,6 @@
 #include "jobs/checks/quad_checks.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -30,41 +29,17 @@ constexpr double kOffBorder = 5e-4;
 constexpr double kLostSides = 0.6;
 constexpr std::size_t kMostQuadSamples = 20'000;
 
-// What brings a mesh to about unit size, where its size is not usual: a power of two.
-double usualUnit(const TriangleMesh& mesh) {
-  constexpr int kUsual = 30, kFarthest = 1000;
-  double size = 0;
-  for (const Index v : mesh.indices)
-    size =
-        std::max(size, (mesh.positions[v] - mesh.positions[mesh.indices[0]]).cwiseAbs().maxCoeff());
-  const int power = size > 0 && std::isfinite(size) ? std::ilogb(size) : 0;
-  return std::abs(power) <= kUsual ? 1 : std::ldexp(1.0, -std::clamp(power, -kFarthest, kFarthest));
+// A power of two that brings a mesh to about unit size: trees compare distances in single
+// precision.
+double checkedUnit(const TriangleMesh& mesh) {
+  const double size = extentOf(mesh).diagonal();
+  return size > 0 && std::isfinite(size) ? std::ldexp(1.0, -std::ilogb(size)) : 1;
 }
 
-// A part and its quads at about unit size: trees compare distances in single precision.
-class UnitPair {
- public:
-  UnitPair(const TriangleMesh& given, const TriangleMesh& quads)
-      : unit_(usualUnit(given)), scaled_{scaled(given), scaled(quads)}, own_{&given, &quads} {}
-
-  const TriangleMesh& given() const { return at(0); }
-  const TriangleMesh& quads() const { return at(1); }
-  Vec3 written(const Vec3& p) const { return p / unit_; }
-
- private:
-  const TriangleMesh& at(std::size_t i) const { return unit_ == 1 ? *own_[i] : scaled_[i]; }
-
-  TriangleMesh scaled(const TriangleMesh& mesh) const {
-    if (unit_ == 1) return {};
-    TriangleMesh copy = mesh;
-    for (Vec3& p : copy.positions) p *= unit_;
-    return copy;
-  }
-
-  double unit_;
-  std::array<TriangleMesh, 2> scaled_;
-  std::array<const TriangleMesh*, 2> own_;
-};
+std::vector<Vec3> scaled(std::vector<Vec3> positions, double unit) {
+  for (Vec3& p : positions) p *= unit;
+  return positions;
+}
 
 // The open edges of a mesh, as triangles without area, and the number of loops that they make.
 struct Border {
@@ -93,24 +68,24 @@ struct OffBorder {
   std::optional<Vec3> first;
 };
 
-OffBorder offBorder(const UnitPair& pair) {
-  const TriangleMesh &given = pair.given(), &result = pair.quads();
+OffBorder offBorder(const TriangleMesh& given, const TriangleMesh& result) {
   OffBorder off;
   const Border before = borderOf(given), after = borderOf(result);
   if (before.lines.empty()) return off;
   off.closed = before.loops - std::min(before.loops, after.loops);
-  const TriangleTree tree(given.positions, before.lines);
-  const double most = kOffBorder * extentOf(given).diagonal();
+  const double unit = checkedUnit(given), most = kOffBorder * unit * extentOf(given).diagonal();
+  const std::vector<Vec3> positions = scaled(given.positions, unit);
+  const TriangleTree tree(positions, before.lines);
   std::vector<Index> corners = after.lines;
   std::sort(corners.begin(), corners.end());
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   for (const Index v : corners) {
     const Vec3& p = result.positions[v];
-    if (tree.nearest(p).squaredDistance <= most * most) continue;
+    if (tree.nearest(unit * p).squaredDistance <= most * most) continue;
     ++off.corners;
-    if (!off.first) off.first = pair.written(p);
+    if (!off.first) off.first = p;
   }
-  if (off.closed > 0 && !off.first) off.first = pair.written(given.positions[before.lines.front()]);
+  if (off.closed > 0 && !off.first) off.first = given.positions[before.lines.front()];
   return off;
 }
 
@@ -121,7 +96,7 @@ std::vector<Warning> bordersOffGiven(const std::vector<io::Part>& given,
   OffBorder all;
   for (std::size_t i = 0; i < result.size(); ++i) {
     if (!result[i].mesh.isQuads) continue;
-    const OffBorder off = offBorder({given[i].mesh, result[i].mesh});
+    const OffBorder off = offBorder(given[i].mesh, result[i].mesh);
     all.corners += off.corners;
     all.closed += off.closed;
     if (!all.first && off.first) all.first = inWorldOf(given[i], *off.first);
@@ -142,19 +117,21 @@ std::vector<Warning> lostToQuads(const std::vector<io::Part>& given,
   double farthest = kLostSides, percent = 0;
   std::optional<Vec3> where;
   for (std::size_t i = 0; i < result.size(); ++i) {
+    const TriangleMesh& from = given[i].mesh;
     if (!result[i].mesh.isQuads || result[i].mesh.indices.empty()) continue;
-    const UnitPair pair(given[i].mesh, result[i].mesh);
-    const TriangleMesh &from = pair.given(), &mesh = pair.quads();
+    const double unit = checkedUnit(from);
+    TriangleMesh mesh = result[i].mesh;
+    mesh.positions = scaled(std::move(mesh.positions), unit);
     const double side = std::sqrt(extentOf(mesh).area / (double(mesh.triangleCount()) / 2));
     const TriangleTree tree(mesh.positions, mesh.indices);
     const std::size_t step = 1 + from.indices.size() / kMostQuadSamples;
     for (std::size_t corner = 0; corner < from.indices.size(); corner += step) {
       const Vec3& p = from.positions[from.indices[corner]];
-      const double distance = std::sqrt(tree.nearest(p).squaredDistance);
+      const double distance = std::sqrt(tree.nearest(unit * p).squaredDistance);
       if (!(distance > farthest * side)) continue;
       farthest = distance / side;
-      percent = 100 * distance / extentOf(from).diagonal();
-      where = inWorldOf(given[i], pair.written(p));
+      percent = 100 * distance / (unit * extentOf(from).diagonal());
+      where = inWorldOf(given[i], p);
     }
   }
   if (!where) return {};
@@ -170,20 +147,21 @@ std::vector<Warning> turnedFromGiven(const std::vector<io::Part>& given,
   std::size_t count = 0;
   std::optional<Vec3> first;
   for (std::size_t i = 0; i < result.size(); ++i) {
-    if (!result[i].mesh.isQuads || result[i].mesh.indices.empty()) continue;
-    const UnitPair pair(given[i].mesh, result[i].mesh);
-    const TriangleMesh& mesh = pair.quads();
-    const TriangleTree tree(pair.given().positions, pair.given().indices);
+    const TriangleMesh &from = given[i].mesh, &mesh = result[i].mesh;
+    if (!mesh.isQuads || mesh.indices.empty()) continue;
+    const double unit = checkedUnit(from);
+    const std::vector<Vec3> positions = scaled(from.positions, unit);
+    const TriangleTree tree(positions, from.indices);
     const QuadFacing facing(tree);
     const io::Faces faces(mesh);
     for (std::size_t q = 0; q < faces.count(); ++q) {
       Quad corners;
       for (std::size_t k = 0; k < 4; ++k)
-        corners[k] = mesh.positions[mesh.indices[faces.place(q, k)]];
+        corners[k] = unit * mesh.positions[mesh.indices[faces.place(q, k)]];
       if (!facing.isAway(corners)) continue;
       ++count;
       const Vec3 middle = (corners[0] + corners[1] + corners[2] + corners[3]) / 4;
-      if (!first) first = inWorldOf(result[i], pair.written(middle));
+      if (!first) first = inWorldOf(result[i], middle / unit);
     }
   }
   if (!first) return {};

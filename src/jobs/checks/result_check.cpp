@@ -71,15 +71,14 @@ struct CoordinateRange {
   double largest() const { return std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff()); }
 };
 
-// place: where a part is looked at.
-template <class Place>
-CoordinateRange rangeOf(const std::vector<io::Part>& parts, const Place& place) {
+enum class Seen { AsWritten, InWorld };
+
+CoordinateRange rangeOf(const std::vector<io::Part>& parts, Seen seen) {
   CoordinateRange range;
   for (const io::Part& part : parts) {
     range.isSingle = range.isSingle || part.mesh.isSingle;
-    const Transform there = place(part);
     for (const Vec3& own : part.mesh.positions) {
-      const Vec3 p = there * own;
+      const Vec3 p = seen == Seen::InWorld ? inWorldOf(part, own) : own;
       range.low = range.low.cwiseMin(p);
       range.high = range.high.cwiseMax(p);
     }
@@ -87,14 +86,9 @@ CoordinateRange rangeOf(const std::vector<io::Part>& parts, const Place& place) 
   return range;
 }
 
-// Of the coordinates that are written.
-CoordinateRange writtenRange(const std::vector<io::Part>& parts) {
-  return rangeOf(parts, [](const io::Part&) { return Transform(Transform::Identity()); });
-}
-
 // The middle of all vertices, if their coordinates are too coarse for a shape so small.
 std::optional<Vec3> placeOfRounding(const std::vector<io::Part>& parts) {
-  const CoordinateRange range = writtenRange(parts);
+  const CoordinateRange range = rangeOf(parts, Seen::AsWritten);
   const double step = range.isSingle ? std::numeric_limits<float>::epsilon()
                                      : std::numeric_limits<double>::epsilon();
   if (range.size() < 0 || range.size() > kSteps * step * range.largest()) return {};
@@ -165,7 +159,7 @@ std::size_t more(std::size_t after, std::size_t before) {
 }  // namespace
 
 std::string placeInWords(const Vec3& p, const std::vector<io::Part>& parts) {
-  const CoordinateRange range = rangeOf(parts, firstPlace);
+  const CoordinateRange range = rangeOf(parts, Seen::InWorld);
   int digits = kDigits;
   for (double reach = range.size(); reach < range.largest() && digits < kMostDigits; reach *= 10)
     ++digits;

@@ -87,6 +87,8 @@ Transform firstPlace(const io::Part& part) {
   return part.instances.empty() ? Transform::Identity() : part.instances.front();
 }
 
+Vec3 inWorldOf(const io::Part& part, const Vec3& p) { return firstPlace(part) * p; }
+
 Transform largestPlace(const io::Part& part) {
   const auto isOutside = [&](Index v) { return v >= part.mesh.positions.size(); };
   if (part.instances.size() < 2 ||

@@ -23,7 +23,7 @@ struct PartPlace {
 Transform firstPlace(const io::Part& part);
 
 // A place of the part, there.
-inline Vec3 inWorldOf(const io::Part& part, const Vec3& p) { return firstPlace(part) * p; }
+Vec3 inWorldOf(const io::Part& part, const Vec3& p);
 
 // The place where the file shows the part largest; the first if it shows it nowhere.
 Transform largestPlace(const io::Part& part);
