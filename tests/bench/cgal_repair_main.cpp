@@ -10,6 +10,7 @@
 #include <CGAL/Polygon_mesh_processing/polygon_mesh_to_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/repair.h>
+#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/alpha_wrap_3.h>
@@ -34,7 +35,9 @@ struct Soup {
   std::vector<std::vector<std::size_t>> triangles;
 };
 
-int judge(const Soup& soup) {
+// Vertices at one place are one, as in the report: a file may list each of them several times.
+int judge(Soup soup) {
+  processing::merge_duplicate_points_in_polygon_soup(soup.points, soup.triangles);
   const bool isManifold = processing::is_polygon_soup_a_polygon_mesh(soup.triangles);
   if (!isManifold) {
     std::printf("{\"isManifold\": false}\n");
@@ -68,6 +71,6 @@ int main(int count, char** words) {
   Soup soup;
   if (count < 3 || !CGAL::IO::read_polygon_soup(words[2], soup.points, soup.triangles)) return 2;
   const std::string task = words[1];
-  if (task == "judge") return judge(soup);
+  if (task == "judge") return judge(std::move(soup));
   return count > 4 ? wrap(soup, std::atof(words[3]), words[4]) : 2;
 }
