@@ -68,10 +68,10 @@ void release(Run& run, const LocalChange& change) {
     run.mesh.release(run.mesh.mesh().origin(change.halfedge));
 }
 
-bool mendNeedle(Run& run, Face f, WorkBudget& budget) {
+bool mendNeedle(Run& run, Face f, double farthest, WorkBudget& budget) {
   const Vertex v = run.mesh.mesh().vertices(f)[0];
   // A cell of the lattice that repair's surfaces follow is half an edge wide.
-  const double shift = 0.5 * run.asked.scale * run.sizes.at(run.mesh.at(v));
+  const double shift = std::min(farthest, 0.5 * run.asked.scale * run.sizes.at(run.mesh.at(v)));
   const Objective objective = [&](double least) { return wideningOf(run, shift, least, budget); };
   LocalSearch search(run, objective, nullptr, bestStep(run, f, objective));
   if (!mends(run, search.best()))
@@ -82,7 +82,7 @@ bool mendNeedle(Run& run, Face f, WorkBudget& budget) {
 
 }  // namespace
 
-bool mendNeedles(Run& run, WorkBudget& budget) {
+bool mendNeedles(Run& run, double farthest, WorkBudget& budget) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
   // Not only the needles of now: a change may make a needle of a triangle that follows.
   std::vector<Face> all;
@@ -91,7 +91,7 @@ bool mendNeedles(Run& run, WorkBudget& budget) {
     return !budget.isSpent() && mesh.isAlive(f) &&
            isNeedle(smallestAngle(run.mesh, f, run.asked.rule.quantum));
   };
-  return mendEach(all, 1, isBad, [&](Face f) { return mendNeedle(run, f, budget); });
+  return mendEach(all, 1, isBad, [&](Face f) { return mendNeedle(run, f, farthest, budget); });
 }
 
 }  // namespace remesher

@@ -86,6 +86,15 @@ Places matchPositions(Run& run, std::size_t vertices, const Bodies& bodies) {
   }
 }
 
+// By how much mending a needle may move the surface. That of a lattice has no shape within half an
+// edge; any other one must not be seen to change, such as a thin blade between two sharp edges,
+// also where several steps add up. A smallest angle that is asked for is worth more.
+double farthestOfNeedles(const Prepared& original, const PartOptions& options) {
+  constexpr double kUnseenStep = kSeen / 4;
+  return isRemade(options.repair) || options.minAngle ? kInfinity
+                                                      : kUnseenStep * original.surface().diagonal();
+}
+
 struct Made {
   bool isReached;  // the number of vertices
   Uncrossed uncrossed = {};
@@ -94,10 +103,12 @@ struct Made {
 Made makeMesh(Run& run, const Prepared& original, const RunSettings& settings,
               const Progress& progress) {
   const PartOptions& options = settings.options;
+  const double farthest = farthestOfNeedles(original, options);
   if (const std::size_t enough = enoughInstead(original, options)) {
     fires("isotropic: more pieces or handles than the number allows");
     progress.phase("polish", 0, 0);
-    if (settings.crossings == CrossingRule::Mend) return {false, makeUncrossed(run, enough)};
+    if (settings.crossings == CrossingRule::Mend)
+      return {false, makeUncrossed(run, enough, farthest)};
     makeThinned(run, enough);
     return {false};
   }
@@ -108,8 +119,9 @@ Made makeMesh(Run& run, const Prepared& original, const RunSettings& settings,
           : runScheme(run, vertices, settings, progress);
   const bool isGivenUp = !isReached && original.bound() && options.outOfBound == OutOfBound::GiveUp;
   if (settings.crossings == CrossingRule::Leave || isGivenUp) return {isReached};
-  Uncrossed uncrossed = settings.crossings == CrossingRule::Mend ? keepUncrossed(run, vertices)
-                                                                 : mendUncrossed(run, vertices);
+  Uncrossed uncrossed = settings.crossings == CrossingRule::Mend
+                            ? keepUncrossed(run, vertices, farthest)
+                            : mendUncrossed(run, vertices);
   const bool isStillReached = isReached && uncrossed.isReached;
   return {isStillReached, std::move(uncrossed)};
 }

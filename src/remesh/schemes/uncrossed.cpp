@@ -96,14 +96,14 @@ Uncrossed uncrossed(Run& run, std::size_t vertices) {
   return madeAnew(run, vertices, startAnew(run, vertices));
 }
 
-Uncrossed withoutNeedles(Run& run, std::size_t vertices, Uncrossed result) {
+Uncrossed withoutNeedles(Run& run, std::size_t vertices, double farthest, Uncrossed result) {
   const FidelityRule& rule = run.asked.rule;
   if (rule.mode != Fidelity::Fold || rule.bound) return result;
   Prospect prospect(2 * run.asked.effort.polishRounds);
   // Where needles can be mended they take a few tens of places for each triangle of the mesh.
   constexpr double kPlacesPerTriangle = 300;
   WorkBudget budget(kPlacesPerTriangle * double(run.mesh.mesh().faceCount()));
-  while (prospect.isGood(tooMany(run, vertices)) && mendNeedles(run, budget))
+  while (prospect.isGood(tooMany(run, vertices)) && mendNeedles(run, farthest, budget))
     result.isReached = matchCount(run, vertices);
   if (budget.isSpent()) fires("uncrossed: most places for needles");
   return result;
@@ -111,8 +111,8 @@ Uncrossed withoutNeedles(Run& run, std::size_t vertices, Uncrossed result) {
 
 }  // namespace
 
-Uncrossed keepUncrossed(Run& run, std::size_t vertices) {
-  return withoutNeedles(run, vertices, uncrossed(run, vertices));
+Uncrossed keepUncrossed(Run& run, std::size_t vertices, double farthest) {
+  return withoutNeedles(run, vertices, farthest, uncrossed(run, vertices));
 }
 
 Uncrossed mendUncrossed(Run& run, std::size_t vertices) {
@@ -127,10 +127,10 @@ void makeThinned(Run& run, std::size_t vertices) {
   makeAnew(run, vertices);
 }
 
-Uncrossed makeUncrossed(Run& run, std::size_t vertices) {
+Uncrossed makeUncrossed(Run& run, std::size_t vertices, double farthest) {
   reproject(run);
   run.asked.rule = lenient(run);
-  return withoutNeedles(run, vertices, madeAnew(run, vertices, startAnew(run, vertices)));
+  return withoutNeedles(run, vertices, farthest, madeAnew(run, vertices, startAnew(run, vertices)));
 }
 
 }  // namespace remesher

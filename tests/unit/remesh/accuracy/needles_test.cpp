@@ -33,7 +33,7 @@ TEST_CASE("needles: a step between sharp edges that is far lower than edges are 
     CrossingGuard guard(test.mesh, {});
     test.run.asked.rule.guard = &guard;
     WorkBudget endless;
-    for (int i = 0; i < 8 && mendNeedles(test.run, endless); ++i) {
+    for (int i = 0; i < 8 && mendNeedles(test.run, kInfinity, endless); ++i) {
     }
     CHECK(shapes::worstAngle(test.mesh) >= radians(16));
     CHECK(check(test.mesh.mesh()) == "");
@@ -57,7 +57,7 @@ TEST_CASE("needles: where a small step along a sharp edge is enough, nothing els
   CrossingGuard guard(test.mesh, {});
   test.run.asked.rule.guard = &guard;
   WorkBudget endless;
-  for (int i = 0; i < 8 && mendNeedles(test.run, endless); ++i) {
+  for (int i = 0; i < 8 && mendNeedles(test.run, kInfinity, endless); ++i) {
   }
   CHECK(shapes::worstAngle(test.mesh) >= radians(16));
   REQUIRE(test.mesh.mesh().vertexCount() == before.size());
@@ -72,7 +72,7 @@ TEST_CASE("needles: those at a tip too sharp for any other triangles do not blun
   CrossingGuard guard(test.mesh, {});
   test.run.asked.rule.guard = &guard;
   WorkBudget endless;
-  for (int i = 0; i < 8 && mendNeedles(test.run, endless); ++i) {
+  for (int i = 0; i < 8 && mendNeedles(test.run, kInfinity, endless); ++i) {
   }
   const TriangleMesh result = shapes::arraysOf(test.mesh);
   CHECK(std::count(result.positions.begin(), result.positions.end(), Vec3(0, 0, 8)) == 1);
@@ -84,7 +84,7 @@ TEST_CASE("needles: a mesh without them stays as it is") {
   test.run.asked.rule.guard = &guard;
   const VertexData<Vec3> before = test.mesh.positions();
   WorkBudget endless;
-  CHECK_FALSE(mendNeedles(test.run, endless));
+  CHECK_FALSE(mendNeedles(test.run, kInfinity, endless));
   CHECK(test.mesh.positions().values() == before.values());
   CHECK(shapes::checkWorkingMesh(test.mesh) == "");
 }
