@@ -9,6 +9,7 @@
 #include "jobs/inspected_model.h"
 #include "jobs/part_repair.h"
 #include "jobs/parts/part_joining.h"
+#include "jobs/parts/part_report.h"
 #include "jobs/run_guards.h"
 #include "measure/edge_report.h"
 #include "mesh/welding.h"
@@ -51,10 +52,15 @@ CloseInspection withFaults(InspectedModel model) {
 
 }  // namespace
 
-CloseInspection inspectClosely(const TriangleMesh& mesh) { return withFaults(inspectedMesh(mesh)); }
+CloseInspection inspectClosely(const TriangleMesh& mesh) {
+  InspectedModel model = inspectedMesh(mesh);
+  std::vector<Warning>& warnings = model.report.warnings;
+  warnings = joined(placesRounded({io::Part{"", mesh, {}}}), warnings);
+  return withFaults(std::move(model));
+}
 
 CloseInspection inspectFileClosely(const FileBundle& input, const Progress& progress) {
-  InspectedModel model = inspectedFile(input.file, input.resources, progress);
+  InspectedModel model = inspectedFile(input.file, input.resources, Inspection::Close, progress);
   return inFile(input.file.name, [&] { return withFaults(std::move(model)); });
 }
 

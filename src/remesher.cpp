@@ -194,7 +194,7 @@ ConvertFileResult convertFile(const FileBundle& input, const std::string& output
 Report inspect(const TriangleMesh& mesh) { return inspectedMesh(mesh).report; }
 
 Report inspectFile(const FileBundle& input, const Progress& progress) {
-  return inspectedFile(input.file, input.resources, progress).report;
+  return inspectedFile(input.file, input.resources, Inspection::Brief, progress).report;
 }
 
 }  // namespace remesher

@@ -68,6 +68,7 @@ constexpr std::array kDiagnostics = {
     Diagnostic{"PARTS_MERGED", Severity::Note},
     Diagnostic{"PASSED_ON", Severity::Note},
     Diagnostic{"PIECES_DROPPED", Severity::Note},
+    Diagnostic{"PLACES_JOINED", Severity::Note},
     Diagnostic{"POLYGONS_CUT", Severity::Loss},
     Diagnostic{"QUADS_MADE_SYMMETRIC", Severity::Note},
     Diagnostic{"QUADS_NUMBER_MISSED", Severity::Loss},

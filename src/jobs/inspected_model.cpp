@@ -23,7 +23,7 @@ InspectedModel inspectedMesh(const TriangleMesh& mesh) {
   return {std::move(parts), timed(std::move(report), clock)};
 }
 
-InspectedModel inspectedFile(const File& file, const std::vector<File>& resources,
+InspectedModel inspectedFile(const File& file, const std::vector<File>& resources, Inspection how,
                              const Progress& progress) {
   PhaseClock clock;
   const Progress whole = progress.timedBy(clock);
@@ -33,6 +33,8 @@ InspectedModel inspectedFile(const File& file, const std::vector<File>& resource
   Report report;
   report.input = inFile(file.name, [&] {
     model.warnings = joined(model.warnings, roomWarnings(model.parts));
+    if (how == Inspection::Close)
+      model.warnings = joined(model.warnings, placesRounded(model.parts));
     model.parts = joinedPlaces(std::move(model.parts), {});
     work.at(0.1);
     return inspectScaled(model.parts, work.part(0.1, 1));

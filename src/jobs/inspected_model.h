@@ -12,6 +12,8 @@
 
 namespace remesher {
 
+enum class Inspection { Brief, Close };  // close: PLACES_JOINED is said, too
+
 struct InspectedModel {
   std::vector<io::Part> parts;  // places that are meant to be one are joined
   Report report;
@@ -20,7 +22,7 @@ struct InspectedModel {
 // Throws the Errors of requireValid, and OUT_OF_MEMORY for what has no room in any way.
 InspectedModel inspectedMesh(const TriangleMesh& mesh);
 // The same, and the Errors of io::read.
-InspectedModel inspectedFile(const File& file, const std::vector<File>& resources,
+InspectedModel inspectedFile(const File& file, const std::vector<File>& resources, Inspection how,
                              const Progress& progress);
 
 }  // namespace remesher

@@ -109,11 +109,13 @@ bool joinsNothing(const TriangleMesh& given, const TriangleMesh& joined) {
 }
 
 // A surface that is sound only since its places were joined was not given as it is.
-void sayJoined(RepairReport& repair, const std::vector<io::Part>& given,
-               const std::vector<io::Part>& joined) {
-  if (repair.reason != "sound") return;
+void sayJoined(Report& report, const std::vector<io::Part>& given,
+               const std::vector<io::Part>& originals) {
+  if (!report.repair || report.repair->reason != "sound") return;
   for (std::size_t i = 0; i < given.size(); ++i)
-    if (!joinsNothing(given[i].mesh, joined[i].mesh)) repair.reason = "closed";
+    if (!joinsNothing(given[i].mesh, originals[i].mesh)) report.repair->reason = "joined";
+  if (report.repair->reason == "joined")
+    report.warnings = joined(std::move(report.warnings), placesRounded(given));
 }
 
 bool areSame(const std::vector<io::Part>& some, const std::vector<io::Part>& others) {
@@ -273,7 +275,7 @@ RepairedParts repairOnly(std::vector<io::Part>& parts, Held held, IfSound ifSoun
   const std::vector<io::Part> shown = asHeld(parts, held);
   mending.note(report);
   report.output = areSame(shown, originals) ? report.input : inspectScaled(shown);
-  if (report.repair) sayJoined(*report.repair, given, originals);
+  sayJoined(report, given, originals);
   if (report.repair && (isRounded || shown.size() < parts.size())) recountCrossings(report, shown);
   report.warnings = joined(std::move(report.warnings), damageIn(report, shown));
   for (const io::Part& part : parts)

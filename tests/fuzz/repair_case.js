@@ -28,7 +28,7 @@ export function makeRepairCase(seed) {
 }
 
 /** The reasons of repairs that keep the input's own triangles. */
-const exact = ['sound', 'closed', 'united'];
+const exact = ['sound', 'joined', 'closed', 'united'];
 
 /** The count of a warning that names a place, else 0.
  * @param {any[]} warnings @param {string} name */

@@ -291,6 +291,21 @@ test('the report says why a mode was chosen', async () => {
   }
 });
 
+test('places that differ only by rounding become one, as an inspection says before', async () => {
+  const v = whole.positions.findIndex((x, i) => i % 3 === 1 && x === 0);
+  const beside = Array.from(whole.positions.slice(v - 1, v + 2), (x) => (x === 0 ? 1e-17 : x));
+  const mesh = { positions: Float64Array.from([...whole.positions, ...beside]),
+    indices: whole.indices.slice() };
+  mesh.indices[mesh.indices.indexOf((v - 1) / 3)] = whole.positions.length / 3;
+  const said = reportInWords(await inspect(mesh, { faults: true }));
+  assert.match(said, /\n {2}places that differ only by rounding are to be made one: 1\n/);
+  const { mesh: made, report } = await repair(mesh);
+  assert.equal(report.repair.reason, 'joined');
+  assert.match(reportInWords(report), /repair: nearly equal places were made one;/);
+  const again = await inspect(made, { faults: true });
+  assert.ok(!again.warnings.some(({ code }) => code === 'PLACES_JOINED'));
+});
+
 test('options that say nothing to a repair are refused', async () => {
   await rejectsWith(repair(open, { vertices: 100 }), 'INVALID_OPTION', /vertices does not belong/);
   await rejectsWith(remesh(open, { holesUpTo: 5 }), 'INVALID_OPTION',

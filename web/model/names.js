@@ -10,6 +10,7 @@
  * @param {Pick<Report, 'repair'>} report */
 export function wasRepaired({ repair }) {
   if (!repair || repair.reason === 'sound') return false;
+  if (repair.reason === 'joined') return true;
   const { mode, holes, islands, shells, turned } = repair;
   return mode === 'solid' || mode === 'wrap' || holes + islands + shells + turned > 0;
 }

@@ -34,10 +34,11 @@ export function repairView(repair) {
     return element('section', { id: 'repaired', className: 'repaired' },
       element('h2', {}, t('repair.nothing')), element('p', { className: 'help' }, why ?? ''));
   }
-  const otherwise = t(repair.mode === 'holes' ? 'repair.nothing' : 'repair.made');
+  const otherwise = repair.reason === 'joined' ? []
+    : [t(repair.mode === 'holes' ? 'repair.nothing' : 'repair.made')];
   return element('section', { id: 'repaired', className: 'repaired' },
     element('h2', {}, t('repair.title', { mode })),
     why && element('p', { className: 'help' }, why),
-    element('ul', {}, ...(done.length ? done : [otherwise])
+    element('ul', {}, ...(done.length ? done : otherwise)
       .map((text) => element('li', {}, text))));
 }

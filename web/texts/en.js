@@ -290,6 +290,7 @@ export default {
   'repair.lost': '{share} of the area is gone',
   'repair.far': '{share} of the visible area is farther than {distance} from the result',
   'reason.sound': 'Sound: unchanged.',
+  'reason.joined': 'Nearly equal places were made one.',
   'reason.closed': 'With its loops closed it is sound.',
   'reason.united': 'Bodies that intersect were united exactly.',
   'reason.made': 'Sheets became closed bodies.',

@@ -343,11 +343,12 @@
  * The outcome of a repair.
  * @typedef {object} RepairSummary
  * @property {string} mode How the mesh was repaired.
- * @property {'asked' | 'sound' | 'closed' | 'united' | 'made' | 'sheets' | 'partly' | 'enclosed'
- *   | 'open'} reason Why in that mode: it was asked for; nothing was wrong, and the mesh is
- *   unchanged; the surface is sound once its loops are closed; bodies that intersect were united
- *   exactly; sheets became bodies; sheets, which enclose nothing, were left; a lattice remade only
- *   what has no exact outside; a lattice found bodies; a lattice found the outside.
+ * @property {'asked' | 'sound' | 'joined' | 'closed' | 'united' | 'made' | 'sheets' | 'partly'
+ *   | 'enclosed' | 'open'} reason Why in that mode: it was asked for; nothing was wrong, and the
+ *   mesh is unchanged; only nearly equal places were made one; the surface is sound once its loops
+ *   are closed; bodies that intersect were united exactly; sheets became bodies; sheets,
+ *   which enclose nothing, were left; a lattice remade only what has no exact outside; a lattice
+ *   found bodies; a lattice found the outside.
  * @property {number} holes Open loops closed.
  * @property {number} islands Small open components removed.
  * @property {number} shells Bodies inside others, removed because nobody sees them.

@@ -102,6 +102,7 @@ function switchInWords({ coverage, distance }, { diagonal, unit }) {
 const reasons = {
   asked: 'as asked',
   sound: 'nothing was to be repaired',
+  joined: 'nearly equal places were made one; else nothing was to be repaired',
   closed: 'with its loops closed it is sound',
   united: 'bodies that intersect were united exactly',
   made: 'sheets became bodies',
@@ -157,7 +158,9 @@ const touching = (edges) => (edges === 0 ? ''
 function repairInWords(repair, nonManifold, model) {
   const { mode, reason, holes, rims, bodies, islands, shells, turned, selfIntersections } = repair;
   const [before, after] = selfIntersections;
-  if (reason === 'sound') return `repair: ${reasons.sound}${touching(nonManifold)}`;
+  if (reason === 'sound' || reason === 'joined') {
+    return `repair: ${reasons[reason]}${touching(nonManifold)}`;
+  }
   return `repair (${mode}, ${reasons[reason]}):\n`
     + `  ${counted(holes, 'hole')} closed${widest(repair.closedAt, model)}, `
     + `${counted(islands, 'island')} and `
@@ -191,7 +194,10 @@ function cureInWords({ faults: { repair, openLoops }, input: { nonManifoldEdges 
       + 'body of it';
   }
   if (repair === 'off' && openLoops.length === 0) {
-    return `${cures.off}${touching(nonManifoldEdges)}`;
+    const rounded = warnings.find((/** @type {any} */ { code }) => code === 'PLACES_JOINED');
+    const cure = rounded
+      ? `places that differ only by rounding are to be made one: ${rounded.count}` : cures.off;
+    return `${cure}${touching(nonManifoldEdges)}`;
   }
   return repair === 'off' ? 'nothing is to be repaired: sheets enclose '
     + 'nothing; --repair wrap makes them thin solids, --thickness bodies, --base reliefs that stand'

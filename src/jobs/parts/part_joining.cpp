@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/legible.h"
+#include "base/place.h"
 #include "jobs/parts/part_lengths.h"
 #include "jobs/parts/part_places.h"
 #include "mesh/joining.h"
@@ -41,6 +42,25 @@ std::vector<io::Part> joinedPlaces(std::vector<io::Part> parts, const PartOption
       joinNear(part.mesh, *options.weld / 100 * diagonalOf(part.mesh));
   }
   return parts;
+}
+
+std::vector<Warning> placesRounded(const std::vector<io::Part>& given) {
+  std::size_t count = 0;
+  for (const io::Part& part : given) {
+    requireValid(part.mesh);
+    TriangleMesh plain;
+    plain.positions = part.mesh.positions, plain.indices = part.mesh.indices;
+    plain.isSingle = part.mesh.isSingle;
+    joinNoise(plain);
+    const std::vector<Index> first = weld(plain.positions);
+    for (Index v = 0; v < first.size(); ++v)
+      count += part.mesh.positions[v] != part.mesh.positions[first[v]];
+  }
+  if (count == 0) return {};
+  return {{"PLACES_JOINED",
+           "Vertices differ from others only by rounding, so that exact readers find cracks there: "
+           "repair makes their places one.",
+           count}};
 }
 
 std::vector<Warning> looseTriangles(const MeshReport& report, const std::vector<io::Part>& parts) {

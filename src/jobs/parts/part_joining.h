@@ -14,6 +14,10 @@ namespace remesher {
 // each part's own diagonal. Throws the Errors of requireValid.
 std::vector<io::Part> joinedPlaces(std::vector<io::Part> parts, const PartOptions& options);
 
+// PLACES_JOINED, if vertices have the places of others but for rounding, as joinedPlaces and repair
+// find them: exact readers see the surface open there. Throws the Errors of requireValid.
+std::vector<Warning> placesRounded(const std::vector<io::Part>& given);
+
 // Makes values of attributes that are not finite 0, since they would spread over the result.
 // Returns NON_FINITE_ATTRIBUTE for each semantic that had any. Readers of files do so themselves.
 std::vector<Warning> settleAttributes(std::vector<io::Part>& parts);

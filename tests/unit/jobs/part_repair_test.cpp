@@ -255,12 +255,23 @@ TEST_CASE(
     "part repair: a surface that is sound once its places are joined is not called unchanged") {
   PartOptions options;
   options.repair = Repair::Auto;
+  const auto countRounded = [](const std::vector<Warning>& warnings) {
+    std::size_t count = 0;
+    for (const Warning& warning : warnings)
+      if (warning.code == "PLACES_JOINED") count += warning.count;
+    return count;
+  };
   TriangleMesh mesh = soups::cube(0, 1);
   CHECK(repair(mesh, options).report.repair->reason == "sound");
+  CHECK(countRounded(inspectClosely(mesh).report.warnings) == 0);
   mesh.isSingle = true;
   for (Index v = 0; v < 12; ++v) mesh.positions[v].x() += 0x1p-28;  // some corners of a full turn
   const RepairResult joined = repair(mesh, options);
-  CHECK(joined.report.repair->reason == "closed");
+  CHECK(joined.report.repair->reason == "joined");
+  const std::size_t count = countRounded(inspectClosely(mesh).report.warnings);
+  CHECK(count > 0);
+  CHECK(countRounded(joined.report.warnings) == count);
+  CHECK(countRounded(inspectClosely(joined.mesh).report.warnings) == 0);
   REQUIRE(joined.report.chosen.size() == 1);
   CHECK(joined.report.chosen.front().rule == "repaired");
 }

@@ -242,6 +242,8 @@ export default {
     + 'Farben daneben.',
   'warning.TEXTURES_PAINTED': 'Die Reparatur hat eine andere Fläche gemacht, daher wurden ihre '
     + 'Texturen neu gemalt.',
+  'warning.PLACES_JOINED': 'Punkte unterscheiden sich von anderen nur durch Rundung; genaue '
+    + 'Leser finden dort Risse. Reparatur macht ihre Stellen gleich.',
   'warning.PARTS_MEET': 'Dreiecke von Teilen treffen solche anderer Teile: Reparatur bessert '
     + 'jedes für sich, um Namen und Ort zu behalten. In einer STL-Datei werden alle eine Fläche.',
   'warning.ONE_SIDED': 'Die Fläche hat nur eine Seite wie ein Möbiusband: Sie hat kein Außen, und '

@@ -239,6 +239,8 @@ export default {
     + 'prennent les couleurs voisines.',
   'warning.TEXTURES_PAINTED': 'La réparation a fait une autre surface, ses textures ont donc été '
     + 'repeintes.',
+  'warning.PLACES_JOINED': 'Des sommets ne diffèrent d’autres que par l’arrondi ; un lecteur '
+    + 'exact y trouve des fentes. La réparation les met au même endroit.',
   'warning.PARTS_MEET': 'Des triangles de parties en rencontrent d’autres : la réparation '
     + 'traite chaque partie pour elle-même, pour garder son nom et sa place. Dans un fichier '
     + 'STL toutes font une seule surface.',

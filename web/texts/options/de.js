@@ -120,6 +120,7 @@ export default {
   'mend.needs': ' (etwa {seconds} s, {size})',
   'repair.far': '{share} der sichtbaren Fläche sind weiter als {distance} vom Ergebnis weg',
   'reason.sound': 'Fehlerfrei: unverändert.',
+  'reason.joined': 'Fast gleiche Stellen wurden gleich gemacht.',
   'reason.closed': 'Mit geschlossenen Rändern ist die Fläche fehlerfrei.',
   'reason.united': 'Körper, die sich schneiden, wurden exakt vereinigt.',
   'repair.rims': '1 Rand offen gelassen|{count} Ränder offen gelassen',

@@ -124,6 +124,7 @@ export default {
   'mend.needs': ' (environ {seconds} s, {size})',
   'repair.far': '{share} de la surface visible sont à plus de {distance} du résultat',
   'reason.sound': 'Sain : inchangé.',
+  'reason.joined': 'Des endroits presque égaux ont été confondus.',
   'reason.closed': 'Ses bords fermés, la surface est saine.',
   'reason.united': 'Les corps qui se coupent ont été réunis exactement.',
   'repair.rims': '1 bord laissé ouvert|{count} bords laissés ouverts',
