@@ -9,7 +9,7 @@ import { inspect, remesh, remeshFile, repair, repairFile } from 'remesher';
 import { errorCodes } from '../../bindings/package/base/errors.js';
 import { GltfMaker } from '../support/gltf.js';
 import { ktx2 } from '../support/ktx2.js';
-import { plate } from '../support/machine_parts.js';
+import { gear } from '../support/machine_parts.js';
 import { png } from '../support/png.js';
 import { offText, sheet, stl, torus } from '../support/shapes.js';
 import { filesUnder, readText } from '../support/tree.js';
@@ -213,8 +213,8 @@ const advice = [
   ['ELEMENTS_LEFT_OUT',
     inFile(bytesOf(gmshText({ isSolid: true })), mesh({ name: 'a.msh', vertices: 4 })),
     /only surfaces/, inFile(bytesOf(gmshText()), mesh({ name: 'a.msh', vertices: 4 }))],
-  ['QUADS_TOO_FEW', inArrays({ quads: true, vertices: 20 }, plate()), /Ask for more/,
-    inArrays({ quads: true, vertices: 400 }, plate())],
+  ['QUADS_TOO_FEW', inArrays({ quads: true, vertices: 30, symmetry: 'off' }, gear()),
+    /Ask for more/, inArrays({ quads: true, vertices: 900, symmetry: 'off' }, gear())],
   ['ANGLES_WORSE', inArrays({ vertices: 5 }), /More vertices help/, inArrays({ vertices: 300 })],
   ['EDGES_TOO_LONG', inArrays({ vertices: 60, maxEdge: 0.4 }), /about (\d+) would/,
     (words) => remesh(ball, { vertices: Math.round(1.2 * words[1]), maxEdge: 0.4 })],

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <limits>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -17,6 +18,11 @@ namespace remesher {
 
 namespace {
 
+// A quad that is taken out makes vertices irregular; those beside it in its row then make no more:
+// runs of about so many are taken out, from one end to the other.
+constexpr std::size_t kLongRun = 48;
+constexpr int kAnyIrregular = std::numeric_limits<int>::max();
+
 // A corner of a quad to be merged with the opposite corner.
 struct Candidate {
   int irregular;  // the rise of the summed distances of valences from 4
@@ -28,8 +34,8 @@ struct Candidate {
 
 class QuadCollapses {
  public:
-  explicit QuadCollapses(const QuadMesh& mesh)
-      : mesh_(mesh), sides_(mesh.vertices.size(), mesh.quads) {}
+  QuadCollapses(const QuadMesh& mesh, int mostIrregular)
+      : mesh_(mesh), sides_(mesh.vertices.size(), mesh.quads), mostIrregular_(mostIrregular) {}
 
   std::vector<Candidate> ofQuads() const {
     std::vector<Candidate> found;
@@ -112,6 +118,13 @@ class QuadCollapses {
     if (!mayLose(b) || !mayLose(d)) return {};
     for (Index k = 0, s = side; k < 4; ++k, s = nextSide(s))
       if (sides_.across(s) == kNone) return {};
+    const int va = sides_.valence(a), vb = sides_.valence(b), vc = sides_.valence(c),
+              vd = sides_.valence(d);
+    const int before = std::abs(va - 4) + std::abs(vb - 4) + std::abs(vc - 4) + std::abs(vd - 4);
+    int after = std::abs(va + vc - 6) + std::abs(vb - 5) + std::abs(vd - 5);
+    // On curves quads on both sides count, not their sum.
+    for (const Index v : {a, b, c, d}) after += mesh_.vertices[v].kind != VertexKind::Interior;
+    if (after - before > mostIrregular_) return {};
     const std::set<Index> ofA = neighbors(a), ofC = neighbors(c);
     for (const Index v : ofA)
       if (v != b && v != d && ofC.contains(v)) return {};
@@ -119,10 +132,6 @@ class QuadCollapses {
     const std::set<Index> aroundC = aroundQuads(c);
     for (const Index v : aroundQuads(a)) shared += aroundC.contains(v);
     if (shared != 4) return {};
-    const int va = sides_.valence(a), vb = sides_.valence(b), vc = sides_.valence(c),
-              vd = sides_.valence(d);
-    const int before = std::abs(va - 4) + std::abs(vb - 4) + std::abs(vc - 4) + std::abs(vd - 4);
-    const int after = std::abs(va + vc - 6) + std::abs(vb - 5) + std::abs(vd - 5);
     return Candidate{after - before, (mesh_.position(a) - mesh_.position(c)).norm(), side};
   }
 
@@ -152,6 +161,7 @@ class QuadCollapses {
 
   const QuadMesh& mesh_;
   const QuadSides sides_;
+  const int mostIrregular_;
 };
 
 Placement merged(const Placement& a, const Placement& c, const WorkingMesh& ground) {
@@ -170,11 +180,12 @@ void joinCurves(QuadMesh& mesh, const QuadSides& sides, Index one, Index two) {
 
 using Candidates = std::vector<Candidate> (QuadCollapses::*)() const;
 
-// Carries out as many of the candidates as may be done side by side.
+// Carries out as many of the candidates as may be done side by side, of those that do not make
+// vertices more irregular than this.
 std::size_t collapseOnce(QuadMesh& mesh, const WorkingMesh& ground, Candidates candidates,
-                         std::size_t most) {
+                         std::size_t most, int mostIrregular = kAnyIrregular) {
   const QuadMesh before = mesh;
-  const QuadCollapses collapses(before);
+  const QuadCollapses collapses(before, mostIrregular);
   const QuadSides sides(before.vertices.size(), before.quads);
   std::vector<char> isTouched(before.vertices.size(), 0), isGone(before.quads.size(), 0);
   std::vector<Index> collapsedInto(before.vertices.size());
@@ -209,10 +220,14 @@ void collapseFlatCorners(QuadMesh& mesh, const WorkingMesh& ground) {
 }
 
 std::size_t collapseTo(QuadMesh& mesh, const WorkingMesh& ground, const CollapseGoal& goal) {
+  if (mesh.vertices.size() <= goal.vertices) return 0;
+  const std::size_t runs = (mesh.vertices.size() - goal.vertices - 1) / kLongRun + 1;
   std::size_t all = 0;
   while (mesh.vertices.size() > goal.vertices) {
     const std::size_t most = mesh.vertices.size() - goal.vertices;
-    std::size_t gone = collapseOnce(mesh, ground, &QuadCollapses::ofSoundQuads, most);
+    std::size_t gone = collapseOnce(mesh, ground, &QuadCollapses::ofSoundQuads, most, 0);
+    if (gone == 0)
+      gone = collapseOnce(mesh, ground, &QuadCollapses::ofSoundQuads, std::min(most, runs));
     if (gone == 0 && goal.mayFold) gone = collapseOnce(mesh, ground, &QuadCollapses::ofQuads, 1);
     if (gone == 0) break;
     all += gone;

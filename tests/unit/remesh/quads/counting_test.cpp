@@ -103,6 +103,16 @@ TEST_CASE("counting: an exact number that is missed is said") {
   }
 }
 
+TEST_CASE("counting: quads that an exact number takes out of a ring go in runs") {
+  PartOptions options;
+  options.quads = options.exact = true;
+  options.symmetry = Symmetry::Off;
+  options.vertices = 800;
+  const RemeshOutcome made = remeshSurface(shapes::torus(48, 24), options, {});
+  CHECK(made.vertices == 800);
+  CHECK(irregularOf(made.mesh) <= 8);
+}
+
 TEST_CASE("counting: near enough is within the share on either side") {
   const CountGoal goal{100, false, {}, 0.04};
   CHECK(goal.isFree(96));
