@@ -25,12 +25,12 @@ RemeshOutcome remeshAlone(const SurfacePart& part, const PartOptions& options,
       part.mesh, part.planes, options,
       [&](const auto& half, auto& own) { return plain(half, own, scope, progress); });
   std::optional<RemeshOutcome>& made = mirrored.made;
-  if (!made || made->mirrors.size() < mirrored.free.size() || mirrored.dent.isSeen()) {
+  if (!made || made->mirrors.size() < mirrored.free.size() || mirrored.flaws.areSeen()) {
     RemeshOutcome whole = plain(part.mesh, options, scope, progress);
     whole.mirrors = mirrorOwn(whole.mesh, mirrored.free);
     const bool isReached = whole.stopped == Stopped::Target;
     if (!made || (isReached && (whole.mirrors.size() > made->mirrors.size() ||
-                                mirrored.dent.isMendedBy(Dent(whole, part.mesh)))))
+                                mirrored.flaws.areMendedBy(whole, part.mesh))))
       made = std::move(whole);
   }
   const std::size_t used = made->mirrors.size(), all = mirrored.planes;

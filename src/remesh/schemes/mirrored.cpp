@@ -10,6 +10,7 @@
 #include "base/place.h"
 #include "geometry/extent.h"
 #include "geometry/triangle_tree.h"
+#include "mesh/quad_loops.h"
 #include "remesh/operators/projection.h"
 #include "remesh/quads/quads.h"
 #include "remesh/schemes/curve_choice.h"
@@ -31,6 +32,8 @@ constexpr double kForcedShares[] = {1, 0.99, 1.01, 0.98, 1.02, 0.97, 1.03};
 
 // In sides of quads; and how many times nearer other quads must be.
 constexpr double kDent = 0.12, kTimesNearer = 3;
+// So many irregular vertices more are worth the planes.
+constexpr std::size_t kWorthPlanes = 8;
 
 // Density, marks or kept triangles of the caller may lie on one side only.
 std::string oneSided(const PartOptions& options) {
@@ -119,6 +122,7 @@ std::optional<RemeshOutcome> mirroredBy(const Wished& wished, const InputAttribu
   if (options.textures == Textures::Bake) made.places = std::move(joined->places);
   made.vertices = countPlaces(made.mesh.positions);
   std::erase_if(made.warnings, isNumberNote);
+  made.mirrors = mirrors.planes;
   noteNumber(made, {mirrors.vertices, options.exact});
   if (guides.moved > 0)
     made.warnings.push_back({"GUIDES_MIRRORED",
@@ -130,7 +134,6 @@ std::optional<RemeshOutcome> mirroredBy(const Wished& wished, const InputAttribu
                              "Guides behind a plane are left out: mirrored they are farther from "
                              "the surface in front of it than sides of quads are long.",
                              lost});
-  made.mirrors = mirrors.planes;
   return made;
 }
 
@@ -146,21 +149,44 @@ std::vector<VertexPair> dropUnlessMirrored(std::vector<MirrorPlane>& planes,
   return edges.images();
 }
 
+std::size_t irregularCount(const TriangleMesh& mesh) {
+  const std::vector<Index> corners = quadsOf(mesh), first = Welding(mesh).first;
+  std::vector<Four<Index>> quads(corners.size() / 4);
+  for (std::size_t i = 0; i < corners.size(); ++i) quads[i / 4][i % 4] = first[corners[i]];
+  return countIrregular(mesh.positions.size(), sidesByEdge(quads));
+}
+
 }  // namespace
 
-Dent::Dent(const RemeshOutcome& quads, const TriangleMesh& input) {
+Flaws::Flaws(const RemeshOutcome& quads, const TriangleMesh& input, const AskedNumber& asked)
+    : asked_(asked), planes_(quads.mirrors.size()) {
   const TriangleMesh& mesh = quads.mesh;
-  if (quads.vertices > kFewToFinish || mesh.indices.empty()) return;
+  const bool areFew = quads.vertices <= kFewToFinish && !mesh.indices.empty();
+  if (asked.isExact || areFew) irregular_ = irregularCount(mesh);
+  areCostly_ = asked.isExact && planes_ > 1 && quads.removed > 0;
+  if (!areFew) return;
+  if (!isMet(quads.vertices, asked))
+    off_ = std::max(quads.vertices, asked.vertices) - std::min(quads.vertices, asked.vertices);
   const double side = std::sqrt(2 * extentOf(mesh).area / double(mesh.triangleCount()));
   const TriangleTree tree(mesh.positions, mesh.indices);
   for (const Index v : input.indices)
     sides_ = std::max(sides_, std::sqrt(tree.nearest(input.positions[v]).squaredDistance) / side);
 }
 
-bool Dent::isSeen() const { return sides_ > kDent; }
+bool Flaws::areFewerByPlanes() const { return sides_ > kDent || areCostly_; }
 
-bool Dent::isMendedBy(const Dent& other) const {
-  return isSeen() && kTimesNearer * other.sides_ < sides_;
+bool Flaws::areSeen() const { return areFewerByPlanes() || off_ > 0; }
+
+bool Flaws::areMendedBy(const RemeshOutcome& others, const TriangleMesh& input) const {
+  return areSeen() && areMendedBy(Flaws(others, input, asked_));
+}
+
+// An exact number comes first, then the shape, then irregular vertices, then planes.
+bool Flaws::areMendedBy(const Flaws& others) const {
+  if (sides_ > kDent && kTimesNearer * others.sides_ < sides_) return true;
+  if (others.sides_ > std::max(sides_, kDent)) return false;
+  if (asked_.isExact) return others.irregular_ + kWorthPlanes < irregular_;
+  return others.off_ < off_ && others.irregular_ <= irregular_ && others.planes_ >= planes_;
 }
 
 MirroredOutcome remeshMirrored(const TriangleMesh& input, const std::vector<MirrorPlane>& first,
@@ -187,24 +213,29 @@ MirroredOutcome remeshMirrored(const TriangleMesh& input, const std::vector<Mirr
   }
   std::string lost =
       "mirrored about more, they miss the number, dent the shape or do not join into one surface";
-  if (options.exact) lost = "mirrored about more, they cannot have the exact number of vertices";
+  if (options.exact)
+    lost =
+        "mirrored about more, they cannot have the exact number of vertices, or only with "
+        "many more irregular ones";
   if (mirrors.planes.size() < all)
     lost = "seams or borders of materials are not mirrored onto edges";
   const std::vector<MirrorPlane> free = mirrors.planes;
   const InputAttributes whole(input, std::move(built), std::move(chartless));
   // Rather a number that is off by a few hundredths than fewer planes.
   std::optional<RemeshOutcome> best;
-  Dent dent;
-  for (; (!best || dent.isSeen()) && !mirrors.planes.empty(); mirrors.planes.pop_back()) {
+  const AskedNumber asked{mirrors.vertices, options.exact};
+  Flaws flaws;
+  for (; (!best || flaws.areFewerByPlanes()) && !mirrors.planes.empty();
+       mirrors.planes.pop_back()) {
     std::optional<RemeshOutcome> made =
         mirroredBy({mirrors, edges, Kind::AsGiven}, whole, options, remeshHalf);
     if (!made) continue;
-    const Dent own(*made, input);
-    if (best && !dent.isMendedBy(own)) continue;
+    const Flaws own(*made, input, asked);
+    if (best && !flaws.areMendedBy(own)) continue;
     best = std::move(made);
-    dent = own;
+    flaws = own;
   }
-  return {std::move(best), dent, all, free, std::move(lost)};
+  return {std::move(best), flaws, all, free, std::move(lost)};
 }
 
 RemeshOutcome remeshForced(const TriangleMesh& input, const PartOptions& options,

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "remesh/schemes/number_note.h"
 #include "remesh/schemes/remesh.h"
 
 namespace remesher {
@@ -24,29 +25,34 @@ using PlainRemesher = std::function<RemeshOutcome(
 using HalfRemesher =
     std::function<RemeshOutcome(const TriangleMesh& half, const PartOptions& options)>;
 
-// Few quads that are farther from the shape than a small share of a side dent it, where others are
-// much nearer.
-class Dent {
+// What speaks against mirrored quads: few of them dent the shape where others are much nearer, an
+// exact number makes many more vertices irregular, or few of them miss a number that others meet.
+class Flaws {
  public:
-  Dent() = default;
-  Dent(const RemeshOutcome& quads, const TriangleMesh& input);
+  Flaws() = default;
+  Flaws(const RemeshOutcome& quads, const TriangleMesh& input, const AskedNumber& asked);
 
-  bool isSeen() const;
-  bool isMendedBy(const Dent& other) const;
+  bool areFewerByPlanes() const;  // whether quads mirrored by fewer planes may have fewer
+  bool areSeen() const;           // whether quads that are not made mirrored may have fewer
+  bool areMendedBy(const RemeshOutcome& others, const TriangleMesh& input) const;
+  bool areMendedBy(const Flaws& others) const;
 
  private:
+  AskedNumber asked_;
   double sides_ = 0;  // that the farthest corner of the input is away
+  std::size_t irregular_ = 0, off_ = 0, planes_ = 0;
+  bool areCostly_ = false;  // single quads are missing in all images
 };
 
 struct MirroredOutcome {
   std::optional<RemeshOutcome> made;
-  Dent dent;
+  Flaws flaws;
   std::size_t planes = 0;         // that mirror the input
   std::vector<MirrorPlane> free;  // those by which quads may be mirrored
   std::string lost;               // why the quads are mirrored by fewer
 };
 
-// Mirrored by as many planes as possible without a dent that fewer avoid. None if no plane mirrors
+// Mirrored by as many planes as possible without a flaw that fewer mend. None if no plane mirrors
 // the input, if borders of materials, seams or the caller's own wishes for places are not mirrored,
 // if the exact number or the surface's kind cannot be had so, or if another number takes single
 // quads out. first: planes that are tried before those through the input's own middle.

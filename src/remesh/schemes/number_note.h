@@ -27,9 +27,11 @@ inline bool isNumberNote(const Warning& warning) { return warning.code == "QUADS
 inline void noteNumber(RemeshOutcome& made, const AskedNumber& asked) {
   if (isMet(made.vertices, asked)) return;
   if (made.stopped != Stopped::Target && made.vertices > asked.vertices) return;
-  const char* const why = made.stopped == Stopped::Target
-                              ? ": nearer numbers cost more irregular vertices."
-                              : ": no row of quads fits in, and none can be divided.";
+  const char* why = ": no row of quads fits in, and none can be divided.";
+  if (made.stopped == Stopped::Target)
+    why = made.mirrors.empty()
+              ? ": nearer numbers cost more irregular vertices."
+              : ": nearer numbers cost more irregular vertices or planes that mirror the quads.";
   made.warnings.push_back(
       {"QUADS_NUMBER_MISSED", "The quads have " + std::to_string(made.vertices) +
                                   " vertices, not " + (asked.isExact ? "exactly " : "") +

@@ -131,6 +131,7 @@ RemeshOutcome remeshToQuads(Plan plan, const TriangleMesh& input, const PartOpti
                         isReached ? Stopped::Target : Stopped::Fidelity, vertices,
                         std::move(warnings)};
   outcome.quadParts = quads.parts;
+  outcome.removed = quads.collapsed;
   outcome.paired = quads.paired;
   if (!isHalf) noteNumber(outcome, {aim, wanted.exact});
   return outcome;

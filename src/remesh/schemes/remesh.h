@@ -30,6 +30,7 @@ struct RemeshOutcome {
   std::vector<MirrorPlane> mirrors = {};
   Chosen chosen = {};         // the rule by which this mesh was taken
   std::size_t quadParts = 0;  // connected parts of quads
+  std::size_t removed = 0;    // quads taken out to reach the number
   std::vector<PairedPart> paired = {};
   Unmet unmet = {};  // limits of edges and triangles that are not kept
 };

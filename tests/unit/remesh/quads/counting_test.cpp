@@ -103,14 +103,26 @@ TEST_CASE("counting: an exact number that is missed is said") {
   }
 }
 
-TEST_CASE("counting: quads that an exact number takes out of a ring go in runs") {
+TEST_CASE("counting: quads that an exact number takes out of a ring go in one run") {
   PartOptions options;
   options.quads = options.exact = true;
-  options.symmetry = Symmetry::Off;
   options.vertices = 800;
   const RemeshOutcome made = remeshSurface(shapes::torus(48, 24), options, {});
   CHECK(made.vertices == 800);
   CHECK(irregularOf(made.mesh) <= 8);
+}
+
+TEST_CASE("counting: a box of an odd number of rows gets them back, mirrored") {
+  for (const auto& [size, vertices] :
+       std::vector<std::pair<Vec3, Index>>{{Vec3(1, 1, 1), 56}, {Vec3(2, 1, 1), 92}}) {
+    TriangleMesh box = shapes::cube(3);
+    for (Vec3& p : box.positions) p = p.cwiseProduct(size);
+    const RemeshOutcome made = quadsOf(box, vertices);
+    CHECK(made.vertices == vertices);
+    CHECK(irregularOf(made.mesh) == 8);
+    CHECK(made.mirrors.size() == 3);
+    CHECK(!isSaid(made));
+  }
 }
 
 TEST_CASE("counting: near enough is within the share on either side") {
