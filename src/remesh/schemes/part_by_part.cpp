@@ -248,6 +248,7 @@ std::optional<RemeshOutcome> remeshPartByPart(const TriangleMesh& input, const W
     done += portion;
     share -= part.share;
   }
+  whole.vertices = countPlaces(whole.mesh.positions);  // parts may share some
   const double off = std::abs(double(whole.vertices) - double(asked));
   if (off > (options.exact ? 0 : kFreeTolerance * double(asked))) whole.stopped = Stopped::Fidelity;
   noteNumber(whole, {asked, options.exact});

@@ -8,6 +8,8 @@
 #include <set>
 #include <tuple>
 
+#include "base/place.h"
+#include "geometry/extent.h"
 #include "support/shapes.h"
 
 using namespace remesher;
@@ -130,6 +132,19 @@ TEST_CASE("part by part: attributes and groups of each part come with it") {
     CHECK(made.mesh.groups[i / 3] == Index(isCone));
     CHECK(made.mesh.attributes[0].values[std::size_t{3} * v] == (isCone ? 1 : 0));
   }
+}
+
+TEST_CASE("part by part: places that parts share count once") {
+  TriangleMesh mesh;  // two cubes with a common edge
+  const TriangleMesh cube = shapes::cube(4);
+  const Vec3 size = extentOf(cube).sides;
+  add(mesh, cube, 1, Vec3::Zero());
+  add(mesh, cube, 1, Vec3(size.x(), size.y(), 0));
+  PartOptions options;
+  options.quads = true;
+  options.vertices = 120;
+  const RemeshOutcome made = remeshSurface(mesh, options, {});
+  CHECK(made.vertices == countPlaces(made.mesh.positions));
 }
 
 TEST_CASE("part by part: an exact number is that of all parts together") {
