@@ -14,6 +14,7 @@
 #include "remesh/operators/projection.h"
 #include "remesh/quads/quads.h"
 #include "remesh/schemes/curve_choice.h"
+#include "remesh/schemes/kept_edges.h"
 #include "remesh/schemes/number_note.h"
 #include "remesh/schemes/targets.h"
 #include "remesh/symmetry/forced_planes.h"
@@ -158,10 +159,11 @@ std::size_t irregularCount(const TriangleMesh& mesh) {
 
 }  // namespace
 
-Flaws::Flaws(const RemeshOutcome& quads, const TriangleMesh& input, const AskedNumber& asked)
-    : asked_(asked), planes_(quads.mirrors.size()) {
+Flaws::Flaws(const RemeshOutcome& quads, const TriangleMesh& input, const Wish& wish)
+    : wish_(wish), planes_(quads.mirrors.size()) {
+  const AskedNumber& asked = wish.number;
   const TriangleMesh& mesh = quads.mesh;
-  const bool areFew = quads.vertices <= kFewToFinish && !mesh.indices.empty();
+  const bool areFew = wish.hasCorners && quads.vertices <= kFewToFinish && !mesh.indices.empty();
   if (asked.isExact || areFew) irregular_ = irregularCount(mesh);
   areCostly_ = asked.isExact && planes_ > 1 && quads.removed > 0;
   if (!areFew) return;
@@ -178,14 +180,14 @@ bool Flaws::areFewerByPlanes() const { return sides_ > kDent || areCostly_; }
 bool Flaws::areSeen() const { return areFewerByPlanes() || off_ > 0; }
 
 bool Flaws::areMendedBy(const RemeshOutcome& others, const TriangleMesh& input) const {
-  return areSeen() && areMendedBy(Flaws(others, input, asked_));
+  return areSeen() && areMendedBy(Flaws(others, input, wish_));
 }
 
 // An exact number comes first, then the shape, then irregular vertices, then planes.
 bool Flaws::areMendedBy(const Flaws& others) const {
   if (sides_ > kDent && kTimesNearer * others.sides_ < sides_) return true;
   if (others.sides_ > std::max(sides_, kDent)) return false;
-  if (asked_.isExact) return others.irregular_ + kWorthPlanes < irregular_;
+  if (wish_.number.isExact) return others.irregular_ + kWorthPlanes < irregular_;
   return others.off_ < off_ && others.irregular_ <= irregular_ && others.planes_ >= planes_;
 }
 
@@ -220,17 +222,18 @@ MirroredOutcome remeshMirrored(const TriangleMesh& input, const std::vector<Mirr
   if (mirrors.planes.size() < all)
     lost = "seams or borders of materials are not mirrored onto edges";
   const std::vector<MirrorPlane> free = mirrors.planes;
+  const Flaws::Wish wish{{mirrors.vertices, options.exact},
+                         countSharpCorners({built.mesh, built.positions}) > 0};
   const InputAttributes whole(input, std::move(built), std::move(chartless));
   // Rather a number that is off by a few hundredths than fewer planes.
   std::optional<RemeshOutcome> best;
-  const AskedNumber asked{mirrors.vertices, options.exact};
   Flaws flaws;
   for (; (!best || flaws.areFewerByPlanes()) && !mirrors.planes.empty();
        mirrors.planes.pop_back()) {
     std::optional<RemeshOutcome> made =
         mirroredBy({mirrors, edges, Kind::AsGiven}, whole, options, remeshHalf);
     if (!made) continue;
-    const Flaws own(*made, input, asked);
+    const Flaws own(*made, input, wish);
     if (best && !flaws.areMendedBy(own)) continue;
     best = std::move(made);
     flaws = own;

@@ -27,10 +27,17 @@ using HalfRemesher =
 
 // What speaks against mirrored quads: few of them dent the shape where others are much nearer, an
 // exact number makes many more vertices irregular, or few of them miss a number that others meet.
+// Few quads are looked at only on parts with sharp corners: of round ones all are off by their
+// chords.
 class Flaws {
  public:
+  struct Wish {
+    AskedNumber number = {};
+    bool hasCorners = false;  // whether the part has sharp ones
+  };
+
   Flaws() = default;
-  Flaws(const RemeshOutcome& quads, const TriangleMesh& input, const AskedNumber& asked);
+  Flaws(const RemeshOutcome& quads, const TriangleMesh& input, const Wish& wish);
 
   bool areFewerByPlanes() const;  // whether quads mirrored by fewer planes may have fewer
   bool areSeen() const;           // whether quads that are not made mirrored may have fewer
@@ -38,7 +45,7 @@ class Flaws {
   bool areMendedBy(const Flaws& others) const;
 
  private:
-  AskedNumber asked_;
+  Wish wish_;
   double sides_ = 0;  // that the farthest corner of the input is away
   std::size_t irregular_ = 0, off_ = 0, planes_ = 0;
   bool areCostly_ = false;  // single quads are missing in all images
