@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/part_options.h"
 #include "measure/hausdorff.h"
 #include "measure/mesh_report.h"
 #include "remesher.h"

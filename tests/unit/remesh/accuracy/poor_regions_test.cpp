@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "base/part_options.h"
 #include "remesh/accuracy/two_sided_distance.h"
 #include "support/runs.h"
 

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include "base/part_options.h"
 #include "remesh/gate/angles.h"
 #include "remesh/operators/local_operators.h"
 #include "support/working_meshes.h"
