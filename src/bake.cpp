@@ -38,7 +38,7 @@ BakeResult bake(const TriangleMesh& high, const TriangleMesh& low, const RemeshO
   PhaseClock clock;
   io::Model model = modelOf(low);
   Report report = runBake({modelOf(high), {}}, model, options, progress.timedBy(clock));
-  report.warnings = joined(report.warnings, model.warnings);
+  report.warnings = mergedByCode(report.warnings, model.warnings);
   std::vector<Picture> maps = picturesFrom(std::move(model.images));
   return {std::move(model.parts.front().mesh), std::move(maps), timed(std::move(report), clock)};
 }
@@ -59,7 +59,7 @@ RemeshFileResult bakeFiles(FileBundle high, const FileBundle& low, const std::st
   });
   whole.phase("write", 1, 1);
   io::WrittenFiles written = io::write(model, outputName);
-  report.warnings = joined(joined(report.warnings, model.warnings), written.warnings);
+  report.warnings = mergedByCode(mergedByCode(report.warnings, model.warnings), written.warnings);
   return {std::move(written.files), picturesFrom(std::move(written.images)),
           timed(std::move(report), clock)};
 }
@@ -69,7 +69,7 @@ UnwrapResult unwrap(const TriangleMesh& mesh, const RemeshOptions& options,
   PhaseClock clock;
   io::Model model = modelOf(mesh);
   Report report = runUnwrap(model, options, progress.timedBy(clock));
-  report.warnings = joined(report.warnings, model.warnings);
+  report.warnings = mergedByCode(report.warnings, model.warnings);
   return {std::move(model.parts.front().mesh), timed(std::move(report), clock)};
 }
 
@@ -86,8 +86,8 @@ RemeshFileResult unwrapFile(const FileBundle& input, const std::string& outputNa
       inFile(input.file.name, [&] { return runUnwrap(model, options, whole.part(kReadShare, 1)); });
   whole.phase("write", 1, 1);
   io::WrittenFiles written = io::write(model, outputName);
-  const std::vector<Warning> lost = joined(written.warnings, io::polygonsCut(model, written));
-  report.warnings = joined(joined(report.warnings, model.warnings), lost);
+  const std::vector<Warning> lost = mergedByCode(written.warnings, io::polygonsCut(model, written));
+  report.warnings = mergedByCode(mergedByCode(report.warnings, model.warnings), lost);
   return {std::move(written.files), {}, timed(std::move(report), clock)};
 }
 

@@ -53,7 +53,7 @@ GivenOperand readOperand(const FileBundle& input, const std::string& outputName,
     throw Error(ErrorCode::NoTriangles, legible(input.file.name) + " has no triangles.");
   for (io::Part& part : model.parts)
     part.mesh = io::converted(std::move(part.mesh), model.conventions, conventionsOf(outputName));
-  whole.warnings = joined(std::move(whole.warnings), model.warnings);
+  whole.warnings = mergedByCode(std::move(whole.warnings), model.warnings);
   GivenOperand operand{legible(input.file.name), std::move(model.parts)};
   settleUnit(io::unitOf(model), operand, whole);
   return operand;
@@ -121,7 +121,7 @@ BooleanResult boolean(const TriangleMesh& a, const TriangleMesh& b, BooleanOpera
                              GivenOperand{"The second operand", {parts[1]}}},
                             Carried::Arrays);
   BooleanRun run = runBoolean(std::move(pair), operation, progress.timedBy(clock));
-  run.report.warnings = joined(settled, run.report.warnings);
+  run.report.warnings = mergedByCode(settled, run.report.warnings);
   return {std::move(run.part.mesh), timed(std::move(run.report), clock), run.boolean};
 }
 
@@ -147,7 +147,8 @@ BooleanFilesResult booleanFiles(const FileBundle& a, const FileBundle& b,
   nameMaterials(model, outputName);
   whole.phase("write", 1, 1);
   io::WrittenFiles written = io::write(model, outputName);
-  run.report.warnings = joined(joined(model.warnings, run.report.warnings), written.warnings);
+  run.report.warnings =
+      mergedByCode(mergedByCode(model.warnings, run.report.warnings), written.warnings);
   return {std::move(written.files), timed(std::move(run.report), clock), run.boolean};
 }
 

@@ -55,7 +55,7 @@ CloseInspection withFaults(InspectedModel model) {
 CloseInspection inspectClosely(const TriangleMesh& mesh) {
   InspectedModel model = inspectedMesh(mesh);
   std::vector<Warning>& warnings = model.report.warnings;
-  warnings = joined(placesRounded({io::Part{"", mesh, {}}}), warnings);
+  warnings = mergedByCode(placesRounded({io::Part{"", mesh, {}}}), warnings);
   return withFaults(std::move(model));
 }
 

@@ -95,7 +95,7 @@ RemeshSceneResult remeshScene(std::vector<PlacedMesh> scene, const RemeshOptions
   });
   prepared.finish(runs, Held::Apart);
   region.finish(runs);
-  runs.front().report.warnings = joined(settled, runs.front().report.warnings);
+  runs.front().report.warnings = mergedByCode(settled, runs.front().report.warnings);
   std::vector<std::vector<TriangleMesh>> levels;
   for (SceneRun& run : runs) {
     levels.emplace_back();
@@ -119,7 +119,7 @@ RepairResult repair(const TriangleMesh& mesh, const RemeshOptions& asked,
   const std::vector<Warning> settled = settleAttributes(parts);
   RepairedParts repaired =
       repairOnly(parts, Held::Apart, IfSound::IsRounded, options, progress.timedBy(clock));
-  repaired.report.warnings = joined(settled, repaired.report.warnings);
+  repaired.report.warnings = mergedByCode(settled, repaired.report.warnings);
   return {std::move(parts.front().mesh), timed(std::move(repaired.report), clock)};
 }
 
@@ -176,7 +176,7 @@ RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
   io::WrittenFiles written =
       inFile(input.file.name, [&] { return writeLevels(model, runs, outputName, options); });
   Report report = std::move(runs.front().report);
-  report.warnings = joined(joined(model.warnings, report.warnings), written.warnings);
+  report.warnings = mergedByCode(mergedByCode(model.warnings, report.warnings), written.warnings);
   return {std::move(written.files), picturesFrom(std::move(written.images)),
           timed(std::move(report), clock)};
 }
@@ -187,8 +187,8 @@ ConvertFileResult convertFile(const FileBundle& input, const std::string& output
   io::prepare(model, outputName);
   io::WrittenFiles written = io::write(model, outputName);
   if (written.isUntouched) model.warnings = io::saidOfWhole(std::move(model.warnings));
-  const std::vector<Warning> lost = joined(written.warnings, io::polygonsCut(model, written));
-  return {std::move(written.files), joined(model.warnings, lost)};
+  const std::vector<Warning> lost = mergedByCode(written.warnings, io::polygonsCut(model, written));
+  return {std::move(written.files), mergedByCode(model.warnings, lost)};
 }
 
 Report inspect(const TriangleMesh& mesh) { return inspectedMesh(mesh).report; }

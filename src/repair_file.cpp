@@ -68,14 +68,14 @@ RemeshFileResult repairFile(const FileBundle& input, const std::string& outputNa
   whole.phase("write", 1, 1);
   const bool keepsLook = painting.textures == Textures::Auto || painting.textures == Textures::Keep;
   if (keepsLook && repaired.isUnchanged && stays) {
-    report.warnings = joined(io::saidOfWhole(model.warnings), report.warnings);
+    report.warnings = mergedByCode(io::saidOfWhole(model.warnings), report.warnings);
     return {{{outputName, io::whole(input.file).bytes}}, {}, timed(std::move(report), clock)};
   }
   io::WrittenFiles written = inFile(input.file.name, [&] { return io::write(model, outputName); });
   if (written.isUntouched) model.warnings = io::saidOfWhole(std::move(model.warnings));
-  report.warnings = joined(joined(model.warnings, report.warnings), written.warnings);
+  report.warnings = mergedByCode(mergedByCode(model.warnings, report.warnings), written.warnings);
   if (!repaired.isRemade)
-    report.warnings = joined(report.warnings, io::polygonsCut(model, written));
+    report.warnings = mergedByCode(report.warnings, io::polygonsCut(model, written));
   return {std::move(written.files), picturesFrom(std::move(written.images)),
           timed(std::move(report), clock)};
 }

@@ -2,6 +2,7 @@
 #include "base/triangle_mesh.h"
 
 #include <algorithm>
+#include <cstddef>
 
 #include "base/error.h"
 
@@ -13,6 +14,10 @@ namespace {
 bool isFinite(const Vec3& p) {
   const double* const x = p.data();
   return x[0] - x[0] == 0 && x[1] - x[1] == 0 && x[2] - x[2] == 0;
+}
+
+auto valueAt(const Attribute& attribute, Index vertex) {
+  return attribute.values.begin() + std::ptrdiff_t(vertex) * attribute.itemSize;
 }
 
 }  // namespace
@@ -43,10 +48,37 @@ bool arePairs(const TriangleMesh& mesh) {
 }
 
 bool haveSameAttributes(const TriangleMesh& mesh, Index v, Index w) {
-  return std::all_of(mesh.attributes.begin(), mesh.attributes.end(), [&](const Attribute& x) {
-    const auto at = [&](Index i) { return x.values.begin() + std::size_t{i} * x.itemSize; };
-    return std::equal(at(v), at(v) + x.itemSize, at(w));
-  });
+  return haveSameAttributes(mesh, v, w, [](std::string_view) { return true; });
+}
+
+bool haveSameAttributes(const TriangleMesh& mesh, Index v, Index w,
+                        bool (*isCompared)(std::string_view semantic)) {
+  const auto isSame = [&](const Attribute& attribute) {
+    return !isCompared(attribute.semantic) ||
+           std::equal(valueAt(attribute, v), valueAt(attribute, v) + attribute.itemSize,
+                      valueAt(attribute, w));
+  };
+  return v == w || std::all_of(mesh.attributes.begin(), mesh.attributes.end(), isSame);
+}
+
+bool haveSameContent(const TriangleMesh& a, const TriangleMesh& b) {
+  const auto isSame = [](const Attribute& x, const Attribute& y) {
+    return x.semantic == y.semantic && x.itemSize == y.itemSize && x.values == y.values;
+  };
+  return a.indices == b.indices && a.groups == b.groups && a.positions == b.positions &&
+         std::equal(a.attributes.begin(), a.attributes.end(), b.attributes.begin(),
+                    b.attributes.end(), isSame);
+}
+
+void appendValue(Attribute& to, const Attribute& from, Index vertex) {
+  to.values.insert(to.values.end(), valueAt(from, vertex), valueAt(from, vertex) + from.itemSize);
+}
+
+Attribute valuesOf(const Attribute& from, std::span<const Index> vertices) {
+  Attribute some{from.semantic, from.itemSize, {}};
+  some.values.reserve(vertices.size() * std::size_t(from.itemSize));
+  for (const Index v : vertices) appendValue(some, from, v);
+  return some;
 }
 
 void dropLastVertex(TriangleMesh& mesh) {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -55,6 +56,20 @@ const Attribute* findAttribute(const TriangleMesh& mesh, std::string_view semant
 
 // Whether two vertices have the same value of every attribute.
 bool haveSameAttributes(const TriangleMesh& mesh, Index v, Index w);
+
+// Whether they have the same value of every attribute whose semantic `isCompared` accepts.
+bool haveSameAttributes(const TriangleMesh& mesh, Index v, Index w,
+                        bool (*isCompared)(std::string_view semantic));
+
+// Whether coordinates, triangles, groups and attributes are equal, in the same order.
+bool haveSameContent(const TriangleMesh& a, const TriangleMesh& b);
+
+// Appends the value that a vertex has in `from`, an attribute of as many numbers.
+void appendValue(Attribute& to, const Attribute& from, Index vertex);
+
+// The values of some vertices, in their order.
+Attribute valuesOf(const Attribute& from, std::span<const Index> vertices);
+
 // Takes the last vertex off. No triangle may use it.
 void dropLastVertex(TriangleMesh& mesh);
 

@@ -187,9 +187,10 @@ class AngleSearch {
       if (fact == Fact::NumberFound) search(unlimited);
       return fact == Fact::NumberFound && best_;
     });
-    if (best_) warn();
-    RemeshOutcome taken = std::move(best_ ? *best_ : unlimited);
-    if (rule.taken != Candidate::AsMade) taken.chosen = inReport(rule);
+    if (rule.taken == Candidate::AsMade) return unlimited;
+    if (rule.taken == Candidate::More) warn();
+    RemeshOutcome taken = std::move(rule.taken == Candidate::More ? *best_ : unlimited);
+    taken.chosen = inReport(rule);
     return taken;
   }
 
@@ -329,13 +330,10 @@ RemeshOutcome remeshAtAngle(const TriangleMesh& input, Welding welding, const Pa
     return fact == Fact::LimitsDent && !leadsByLongest(options) &&
            away > (options.edgeLength ? kMostDented : kMostSeen);
   });
-  if (facets) {
-    facets->chosen = inReport(rule);
-    return std::move(*facets);
-  }
-  if (rule.taken == Candidate::Unlimited) {
-    unlimited.chosen = inReport(rule);
-    return unlimited;
+  if (rule.taken != Candidate::AsMade) {
+    RemeshOutcome taken = std::move(rule.taken == Candidate::More ? *facets : unlimited);
+    taken.chosen = inReport(rule);
+    return taken;
   }
   if (away > kMostSeen)
     limited->warnings.push_back(awayFor("the length of edges", away, "Ask for shorter edges."));

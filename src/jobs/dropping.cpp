@@ -132,12 +132,7 @@ struct Components {
   explicit Components(const TriangleMesh& mesh) : pieces(mesh.positions, mesh.indices) {
     isClosed.assign(pieces.all().size(), 1);
     const Welding welding(mesh);
-    std::vector<Index> given;  // as Welding leaves out lines
-    for (Index t = 0; t < mesh.triangleCount(); ++t) {
-      const Index* v = &mesh.indices[3 * std::size_t{t}];
-      const Index a = welding.first[v[0]], b = welding.first[v[1]], c = welding.first[v[2]];
-      if (a != b && b != c && c != a) given.push_back(t);
-    }
+    const std::vector<Index> given = welding.triangles(mesh);
     welding.forEachEdge([&](std::span<const Index> edge) {
       if (edge.size() == 1) isClosed[pieces.ofTriangles()[given[edge[0] / 3]]] = 0;
     });

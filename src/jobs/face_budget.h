@@ -21,13 +21,13 @@ std::size_t facesOf(const MeshReport& report);
 // and its open edges, whose number goes with the square root of the faces. At least 1.
 Index verticesFor(Index faces, const PartOptions& options, const MeshReport& input);
 
-// Results of one number of vertices after the other. A vertex more is two triangles more, or one
-// quad; how many vertices lie on boundaries is known only of results.
+// Searches the number of vertices whose result has the wanted number of faces. A vertex more is two
+// triangles more, or one quad; how many vertices lie on boundaries is known only of results.
 class FaceSearch {
  public:
   FaceSearch(const PartOptions& options, const MeshReport& input);
 
-  // Of the next result.
+  // The number of vertices to try next.
   Index vertices() const { return next_; }
 
   // Takes note of that result. Returns whether it is the best so far.

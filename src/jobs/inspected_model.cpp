@@ -19,7 +19,7 @@ InspectedModel inspectedMesh(const TriangleMesh& mesh) {
   std::vector<io::Part> parts = joinedPlaces({io::Part{"", mesh, {}}}, {});
   const std::vector<Warning> settled = settleAttributes(parts);
   report.input = inspectScaled(parts);
-  report.warnings = joined(settled, looseTriangles(report.input, parts));
+  report.warnings = mergedByCode(settled, looseTriangles(report.input, parts));
   return {std::move(parts), timed(std::move(report), clock)};
 }
 
@@ -32,14 +32,14 @@ InspectedModel inspectedFile(const File& file, const std::vector<File>& resource
   const Progress work = whole.phase("inspect", kInspectedRead, 1);
   Report report;
   report.input = inFile(file.name, [&] {
-    model.warnings = joined(model.warnings, roomWarnings(model.parts));
+    model.warnings = mergedByCode(model.warnings, roomWarnings(model.parts));
     if (how == Inspection::Close)
-      model.warnings = joined(model.warnings, placesRounded(model.parts));
+      model.warnings = mergedByCode(model.warnings, placesRounded(model.parts));
     model.parts = joinedPlaces(std::move(model.parts), {});
     work.at(0.1);
     return inspectScaled(model.parts, work.part(0.1, 1));
   });
-  report.warnings = joined(model.warnings, looseTriangles(report.input, model.parts));
+  report.warnings = mergedByCode(model.warnings, looseTriangles(report.input, model.parts));
   return {std::move(model.parts), timed(std::move(report), clock)};
 }
 

@@ -83,7 +83,7 @@ io::WrittenFiles writeEach(io::Model model, std::vector<SceneRun>& runs,
     io::WrittenFiles written = io::write(model, io::nameOfLevel(outputName, level));
     for (File& file : written.files)
       if (names.insert(file.name).second) all.files.push_back(std::move(file));
-    all.warnings = joined(std::move(all.warnings), written.warnings);
+    all.warnings = mergedByCode(std::move(all.warnings), written.warnings);
     all.images = std::move(written.images);  // the same for every level
   }
   return all;
@@ -102,7 +102,7 @@ io::WrittenFiles writeLevels(io::Model model, std::vector<SceneRun>& runs,
   if (options.lodFiles) return writeEach(std::move(model), runs, outputName);
   std::vector<Warning> warnings = levelsLeftOut(runs);
   io::WrittenFiles written = io::write(withLods(std::move(model), runs), outputName);
-  written.warnings = joined(std::move(warnings), written.warnings);
+  written.warnings = mergedByCode(std::move(warnings), written.warnings);
   return written;
 }
 

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "base/place.h"
-#include "io/model/same_mesh.h"
 #include "jobs/angle_number.h"
 #include "jobs/checks/precision.h"
 #include "jobs/checks/repair_room.h"
@@ -93,8 +92,8 @@ void recountMeeting(Report& report, const std::vector<io::Part>& result) {
 std::vector<Warning> damageIn(const Report& report, const std::vector<io::Part>& result) {
   const BeforeAndAfter figures{report.input, *report.output};
   std::vector<Warning> warnings =
-      joined(worseThanGiven(figures, result), lostToRounding(report, result));
-  if (report.repair) warnings = joined(std::move(warnings), touchesLeft(figures, result));
+      mergedByCode(worseThanGiven(figures, result), lostToRounding(report, result));
+  if (report.repair) warnings = mergedByCode(std::move(warnings), touchesLeft(figures, result));
   std::erase_if(warnings, [](const Warning& warning) { return warning.code == "ANGLES_WORSE"; });
   return warnings;
 }
@@ -115,14 +114,14 @@ void sayJoined(Report& report, const std::vector<io::Part>& given,
   for (std::size_t i = 0; i < given.size(); ++i)
     if (!joinsNothing(given[i].mesh, originals[i].mesh)) report.repair->reason = "joined";
   if (report.repair->reason == "joined")
-    report.warnings = joined(std::move(report.warnings), placesRounded(given));
+    report.warnings = mergedByCode(std::move(report.warnings), placesRounded(given));
 }
 
 bool areSame(const std::vector<io::Part>& some, const std::vector<io::Part>& others) {
   return std::equal(some.begin(), some.end(), others.begin(), others.end(),
                     [](const io::Part& one, const io::Part& other) {
                       return one.mesh.isQuads == other.mesh.isQuads &&
-                             io::isSame(one.mesh, other.mesh);
+                             haveSameContent(one.mesh, other.mesh);
                     });
 }
 
@@ -199,7 +198,7 @@ void Mending::take(Dropped dropped) {
   sum.lost += dropped.report.lost;
   if (!dropped.report.piecesAt.empty()) sum.piecesAt = std::move(dropped.report.piecesAt);
   if (!dropped.report.hiddenAt.empty()) sum.hiddenAt = std::move(dropped.report.hiddenAt);
-  dropped_->warnings = joined(std::move(dropped_->warnings), dropped.warnings);
+  dropped_->warnings = mergedByCode(std::move(dropped_->warnings), dropped.warnings);
 }
 
 PartOptions Mending::chosen(PartOptions options) const {
@@ -217,11 +216,11 @@ void Mending::note(Report& report) const {
   report.input = input_;
   if (repair_) {
     report.repair = repair_->report;
-    report.warnings = joined(repair_->warnings, report.warnings);
+    report.warnings = mergedByCode(repair_->warnings, report.warnings);
   }
   if (!dropped_) return;
   report.dropped = dropped_->report;
-  report.warnings = joined(dropped_->warnings, report.warnings);
+  report.warnings = mergedByCode(dropped_->warnings, report.warnings);
   if (report.repair) report.repair->lost += dropped_->report.lost;
 }
 
@@ -260,9 +259,9 @@ RepairedParts repairOnly(std::vector<io::Part>& parts, Held held, IfSound ifSoun
   bool isRounded = false;  // whether rounding moved a vertex, or is undone
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const TriangleMesh& own = asGiven[i].mesh;
-    if (ifSound == IfSound::FileStays && io::isSame(parts[i].mesh, begun[i].mesh) &&
+    if (ifSound == IfSound::FileStays && haveSameContent(parts[i].mesh, begun[i].mesh) &&
         joinsNothing(own, begun[i].mesh)) {
-      isRounded = isRounded || !io::isSame(own, begun[i].mesh);
+      isRounded = isRounded || !haveSameContent(own, begun[i].mesh);
       parts[i].mesh = own;
       continue;
     }
@@ -277,11 +276,11 @@ RepairedParts repairOnly(std::vector<io::Part>& parts, Held held, IfSound ifSoun
   report.output = areSame(shown, originals) ? report.input : inspectScaled(shown);
   sayJoined(report, given, originals);
   if (report.repair && (isRounded || shown.size() < parts.size())) recountCrossings(report, shown);
-  report.warnings = joined(std::move(report.warnings), damageIn(report, shown));
+  report.warnings = mergedByCode(std::move(report.warnings), damageIn(report, shown));
   for (const io::Part& part : parts)
     if (parts.size() > 1 && !isSurface(part.mesh))
       report.warnings =
-          joined(std::move(report.warnings), {passedOn(part, "No triangle has an area.")});
+          mergedByCode(std::move(report.warnings), {passedOn(part, "No triangle has an area.")});
   // Parts that lost pieces or went are not as they were given.
   bool isUnchanged = parts.size() == given.size();
   std::size_t quadsCut = 0;
@@ -290,7 +289,7 @@ RepairedParts repairOnly(std::vector<io::Part>& parts, Held held, IfSound ifSoun
     const TriangleMesh& before = given[i].mesh;
     const TriangleMesh& after = parts[p++].mesh;
     if (before.isQuads && !after.isQuads) quadsCut += before.triangleCount() / 2;
-    const bool isSame = io::isSame(after, before);
+    const bool isSame = haveSameContent(after, before);
     report.chosen.push_back(inReport(choose(
         Decision::RepairOnly, [&](Fact fact) { return fact == Fact::Unchanged && isSame; })));
     isUnchanged = isUnchanged && isSame;

@@ -80,10 +80,11 @@ class OpenNumber {
     });
     if (rule.taken == Candidate::AsMade) return own;
     const std::size_t ownNumber = own.vertices;
-    RemeshOutcome taken = std::move(more ? *more : own);
+    const bool isMore = rule.taken == Candidate::More;
+    RemeshOutcome taken = std::move(isMore ? *more : own);
     taken.chosen = inReport(rule);
-    taken.warnings.push_back(more ? moreTaken(taken.vertices, ownNumber)
-                                  : takesMore(wouldSuffice_, ownNumber));
+    taken.warnings.push_back(isMore ? moreTaken(taken.vertices, ownNumber)
+                                    : takesMore(wouldSuffice_, ownNumber));
     return taken;
   }
 

@@ -123,7 +123,7 @@ class OperandRepairs {
   void tell(Report& report, const OperandPair& pair) const {
     if (report_.reason != "sound") report.repair = report_;
     report.warnings =
-        joined(pair.warnings, inWords(warnings_, {pair.parts.begin(), pair.parts.end()}));
+        mergedByCode(pair.warnings, inWords(warnings_, {pair.parts.begin(), pair.parts.end()}));
   }
 
  private:

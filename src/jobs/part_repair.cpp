@@ -10,7 +10,6 @@
 #include "base/fires.h"
 #include "base/place.h"
 #include "io/model/bake.h"
-#include "io/model/same_mesh.h"
 #include "jobs/checks/result_check.h"
 #include "jobs/part_run.h"
 #include "jobs/parts/part_frames.h"
@@ -130,7 +129,7 @@ class ExactPositions {
 
 Sources sourcesOf(const TriangleMesh& made, const TriangleMesh& given) {
   Sources sources;
-  sources.isUnchanged = io::isSame(made, given);
+  sources.isUnchanged = haveSameContent(made, given);
   if (sources.isUnchanged) return sources;
   std::vector<Vec3> both = given.positions;
   both.insert(both.end(), made.positions.begin(), made.positions.end());
@@ -213,7 +212,7 @@ PartsRepair repairParts(std::vector<io::Part> parts, const PartOptions& options,
       restore(result.parts[i].mesh, parts[i].mesh, sources[i]);
   }
   result.warnings =
-      joined(inWords(std::move(warnings), result.parts), warningsOfMeeting(result.parts));
+      mergedByCode(inWords(std::move(warnings), result.parts), warningsOfMeeting(result.parts));
   return result;
 }
 

@@ -56,7 +56,8 @@ PartOptions optionsFor(const PartTarget& target) {
   return options;
 }
 
-// A budget of triangles that is too small is raised.
+// Remeshes a part by the search that its options need. A budget too small for the surface is
+// raised.
 RemeshOutcome remeshPart(PartInput part, const PartOptions& options, bool isOfBudget,
                          const Progress& progress) {
   const bool isRaised = isOfBudget && !options.quads && !options.maxError && options.bodies.empty();
@@ -115,7 +116,8 @@ RemeshOutcome remeshAsShown(PartInput part, const PartTarget& target, const Prog
     if (options.repair == Repair::Off) return outcome;
     const Rule& rule = choose(Decision::Repaired, [&](Fact fact) {
       if (fact == Fact::SimplifiedTaken) return outcome.prefer == Prefer::Shape;
-      return fact == Fact::ResultUnsound && !isSound(outcome.mesh) && isSound(part.mesh);
+      if (fact == Fact::ResultUnsound) return !isSound(outcome.mesh);
+      return fact == Fact::OriginalSound && isSound(part.mesh);
     });
     if (rule.taken == Candidate::AsMade) return outcome;
     if (leavesNumberOpen(options)) options.vertices = Index(outcome.vertices);
@@ -140,7 +142,7 @@ RemeshOutcome remeshAsShown(PartInput part, const PartTarget& target, const Prog
 UncrossedOutcome uncrossedAsShown(const ShownMesh& part, const PartTarget& target,
                                   RemeshOutcome made, const Progress& progress) {
   PartOptions options = optionsFor(target);
-  // After repair they are looked for in the rounded mesh.
+  // After repair, inSoundPrecisionOf looks for crossings in the rounded mesh.
   if (options.repair != Repair::Off) return {std::move(made), {}};
   bool isCrossed = false;
   std::vector<Index> crossings = crossingsOf(part.mesh, made, &isCrossed);

@@ -17,7 +17,7 @@ class PixelSearch {
   // most: the vertices of the finer level.
   PixelSearch(double pixels, std::size_t most);
 
-  // Of the next result.
+  // The number of vertices to try next.
   Index vertices() const { return next_; }
 
   // Takes note of that result. Returns whether it is the best so far.

@@ -54,7 +54,7 @@ void take(SceneRun& run, std::size_t part, RemeshOutcome& outcome, RoundedMesh r
                                 count});
   run.parts[part].mesh = std::move(rounded.mesh);
   run.places[part] = std::move(outcome.places);
-  run.report.warnings = joined(std::move(run.report.warnings), outcome.warnings);
+  run.report.warnings = mergedByCode(std::move(run.report.warnings), outcome.warnings);
   if (outcome.stopped != Stopped::Target) run.report.stopped = outcome.stopped;
   run.report.prefer[part] = outcome.prefer;
   run.report.chosen[part] = outcome.chosen;
@@ -68,7 +68,8 @@ void passOn(SceneRun& run, std::size_t number, const io::Part& original, const E
   run.parts[number].mesh = original.mesh;
   run.places[number] = ownPlaces(original.mesh);
   run.report.chosen[number] = inReport(choose(Decision::Part, {}));
-  run.report.warnings = joined(std::move(run.report.warnings), {passedOn(original, reason.what())});
+  run.report.warnings =
+      mergedByCode(std::move(run.report.warnings), {passedOn(original, reason.what())});
 }
 
 // The inspected parts, and how the output file holds their results.
@@ -88,7 +89,7 @@ class SurfaceRuns {
         places_(placesOf(unions_.surfaces())),
         targets_(unions_.surfaces(), places_, options),
         guides_(sharedGuides(unions_.surfaces(), options)) {
-    run_.report.warnings = joined(std::move(run_.report.warnings), guides_.warnings);
+    run_.report.warnings = mergedByCode(std::move(run_.report.warnings), guides_.warnings);
   }
 
   // Returns the last surface's tree.
@@ -191,19 +192,19 @@ void warnOf(Report& report, const PartPairs& parts, const MadeCrossings& crossin
   for (const std::vector<Warning>& more :
        {warningsOf(crossings, parts.results), resultWarnings(report, parts.results, wanted),
         bordersOffGiven(parts.originals, parts.results), dentedPart(report, parts, wanted)})
-    report.warnings = joined(std::move(report.warnings), more);
+    report.warnings = mergedByCode(std::move(report.warnings), more);
   if (!report.output->quads) return;
   for (const std::vector<Warning>& more : {pairedParts(*report.output->quads, parts.results),
                                            lostToQuads(parts.originals, parts.results),
                                            turnedFromGiven(parts.originals, parts.results)})
-    report.warnings = joined(std::move(report.warnings), more);
+    report.warnings = mergedByCode(std::move(report.warnings), more);
 }
 
 // Measures what was wanted of each edge and triangle, and warns where it is not so.
 void certify(SceneRun& run, const std::vector<io::Part>& results, const PartOptions& wanted) {
   run.report.output->wanted = wantedOf(results, wanted);
-  run.report.warnings = joined(std::move(run.report.warnings),
-                               wantedMissed(*run.report.output, results, wanted, run.unmet));
+  run.report.warnings = mergedByCode(std::move(run.report.warnings),
+                                     wantedMissed(*run.report.output, results, wanted, run.unmet));
 }
 
 // Describes several parts as the one surface that they are in the file.
@@ -242,10 +243,13 @@ SceneRun remeshInspected(const SceneInput& input, const PartOptions& wanted,
   return run;
 }
 
-// Whether simplification, the nearest for a number of vertices, may make a scene or a level.
+// Whether simplification, the nearest for a number of vertices, may make a scene or a level. Where
+// it is asked for, it finds the number within a bound itself.
 bool maySimplify(const PartOptions& options) {
-  return options.prefer == Prefer::Auto && options.scheme == Scheme::Best && !options.quads &&
-         !options.splitObtuse && options.boundary == Boundary::Resample && options.density.empty();
+  PartOptions shape = options;
+  shape.prefer = Prefer::Shape;
+  shape.maxError.reset();
+  return options.prefer == Prefer::Auto && !options.quads && mayFollow(shape);
 }
 
 // Remeshes with one number of vertices after the other, until the result has as many faces as the
@@ -264,7 +268,7 @@ SceneRun remeshTowards(const SceneInput& input, PartOptions options, const Progr
     if (search.take(*run.report.output)) best = std::move(run);
     if (isHeld) break;
   }
-  // Speaks of a number of vertices that nobody has asked for.
+  // This warning names a number of vertices that was only tried.
   std::erase_if(best->report.warnings,
                 [](const Warning& w) { return w.code == "QUADS_NUMBER_MISSED"; });
   return std::move(*best);
@@ -376,9 +380,9 @@ PartOptions optionsOfSimplified(const PartOptions& wanted, double share, const R
   return options;
 }
 
-// A level simplified from the finest one; the finest one again if nothing of it can go.
+// A level simplified from the finest one; a copy of the level before it if that cannot be made.
 SceneRun simplified(const InspectedParts& finest, const PartOptions& options,
-                    const SceneRun& otherwise, const Progress& progress) {
+                    const SceneRun& levelBefore, const Progress& progress) {
   try {
     return remeshInBudget({finest, Held::Apart}, options, progress);
   } catch (const Error& error) {
@@ -386,8 +390,8 @@ SceneRun simplified(const InspectedParts& finest, const PartOptions& options,
       throw;
   }
   SceneRun same;
-  same.parts = otherwise.parts;
-  same.report = otherwise.report;
+  same.parts = levelBefore.parts;
+  same.report = levelBefore.report;
   same.report.lods.clear();
   same.report.warnings.clear();
   return same;

@@ -325,7 +325,7 @@ void ThinnedParts::note(std::vector<SceneRun>& runs) const {
   }
   std::vector<Warning>& warnings = runs.front().report.warnings;
   const auto add = [&](const char* code, const char* message, std::size_t count) {
-    if (count > 0) warnings = joined(std::move(warnings), {{code, message, count}});
+    if (count > 0) warnings = mergedByCode(std::move(warnings), {{code, message, count}});
   };
   add("DEGENERATE_TRIANGLES_REMOVED", "Triangles without three distinct corners were removed.",
       removed_);

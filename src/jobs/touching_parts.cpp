@@ -250,9 +250,9 @@ void TouchingParts::setParts(const std::vector<char>& isMember, const PartOption
       parts_.push_back(part);
     if (isMember[p] && losesAttributes(given_[p].mesh))
       warnings_ =
-          joined(std::move(warnings_),
-                 {{"TEXCOORDS_LEFT_OUT",
-                   "Bodies that share faces are remeshed without texture coordinates.", 1}});
+          mergedByCode(std::move(warnings_),
+                       {{"TEXCOORDS_LEFT_OUT",
+                         "Bodies that share faces are remeshed without texture coordinates.", 1}});
   }
   for (io::Part& one : parts_)
     for (std::size_t& finer : one.finer) finer = numbers_[finer];
@@ -286,7 +286,7 @@ std::vector<std::vector<OwnTriangle>> TouchingParts::toldApart(const TriangleMes
 void TouchingParts::finish(std::vector<SceneRun>& runs) const {
   SceneRun& run = runs.front();
   std::vector<Warning>& warnings = run.report.warnings;
-  warnings = joined(warnings_, warnings);
+  warnings = mergedByCode(warnings_, warnings);
   if (!isActive()) return;
   std::erase_if(warnings, isOfComplex);
   TriangleMesh made = std::move(run.parts[complexAt_].mesh);
@@ -344,8 +344,8 @@ void TouchingParts::describe(SceneRun& run, const std::vector<std::vector<Triang
   report.output = inspectScaled(bodies);
   report.output->vertices = places;
   report.output->wanted = std::move(wanted);
-  report.warnings =
-      joined(std::move(report.warnings), worseThanGiven({report.input, *report.output}, bodies));
+  report.warnings = mergedByCode(std::move(report.warnings),
+                                 worseThanGiven({report.input, *report.output}, bodies));
   report.fidelity = fidelityOf({given_, run.parts, placesOf(given_)}, Maximum::Sampled, {});
 }
 

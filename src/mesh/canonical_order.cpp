@@ -140,15 +140,8 @@ TriangleMesh inOrder(const TriangleMesh& mesh, const CanonicalOrder& order) {
       made.indices.push_back(order.numbers[mesh.indices[first + (k + order.turns[t]) % 3]]);
     if (!mesh.groups.empty()) made.groups.push_back(mesh.groups[order.triangles[t]]);
   }
-  for (const Attribute& attribute : mesh.attributes) {
-    made.attributes.push_back({attribute.semantic, attribute.itemSize, {}});
-    std::vector<float>& values = made.attributes.back().values;
-    values.reserve(attribute.values.size());
-    for (const Index v : order.vertices) {
-      const auto at = attribute.values.begin() + std::ptrdiff_t(v) * attribute.itemSize;
-      values.insert(values.end(), at, at + attribute.itemSize);
-    }
-  }
+  for (const Attribute& attribute : mesh.attributes)
+    made.attributes.push_back(valuesOf(attribute, order.vertices));
   return made;
 }
 

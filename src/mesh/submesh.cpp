@@ -44,14 +44,8 @@ Submesh Submeshes::of(std::span<const Index> triangles) {
       mesh.indices.push_back(numbers_[whole_.indices[std::size_t{3} * t + k]]);
     if (!whole_.groups.empty()) mesh.groups.push_back(whole_.groups[t]);
   }
-  for (const Attribute& attribute : whole_.attributes) {
-    mesh.attributes.push_back({attribute.semantic, attribute.itemSize, {}});
-    std::vector<float>& values = mesh.attributes.back().values;
-    for (const Index v : part.vertices) {
-      const auto at = attribute.values.begin() + std::ptrdiff_t(v) * attribute.itemSize;
-      values.insert(values.end(), at, at + attribute.itemSize);
-    }
-  }
+  for (const Attribute& attribute : whole_.attributes)
+    mesh.attributes.push_back(valuesOf(attribute, part.vertices));
   for (const Index v : part.vertices) numbers_[v] = kNone;
   return part;
 }

@@ -5,14 +5,34 @@
 
 namespace remesher {
 
+namespace {
+
+bool areDistinct(Index a, Index b, Index c) { return a != b && b != c && c != a; }
+
+}  // namespace
+
 Welding::Welding(const TriangleMesh& mesh, Twins wanted) : first(weld(mesh.positions)) {
   corners.reserve(mesh.indices.size());
-  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-    const Index a = first[mesh.indices[i]], b = first[mesh.indices[i + 1]],
-                c = first[mesh.indices[i + 2]];
-    if (a != b && b != c && c != a) corners.insert(corners.end(), {a, b, c});
+  for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
+    const auto [a, b, c] = placesOf(mesh, t);
+    if (areDistinct(a, b, c)) corners.insert(corners.end(), {a, b, c});
   }
   if (wanted == Twins::Found) twins = plainTwins(first.size(), corners);
+}
+
+std::vector<Index> Welding::triangles(const TriangleMesh& mesh) const {
+  std::vector<Index> given;
+  given.reserve(corners.size() / 3);
+  for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
+    const auto [a, b, c] = placesOf(mesh, t);
+    if (areDistinct(a, b, c)) given.push_back(Index(t));
+  }
+  return given;
+}
+
+std::array<Index, 3> Welding::placesOf(const TriangleMesh& mesh, std::size_t t) const {
+  return {first[mesh.indices[3 * t]], first[mesh.indices[3 * t + 1]],
+          first[mesh.indices[3 * t + 2]]};
 }
 
 }  // namespace remesher

@@ -29,9 +29,15 @@ struct Welding {
     }
   }
 
+  // The triangles of the mesh that `corners` has, in its order.
+  std::vector<Index> triangles(const TriangleMesh& mesh) const;
+
   std::vector<Index> first;    // per vertex: the first at its place
   std::vector<Index> corners;  // as in `first`; only of triangles with three different ones
   std::vector<Index> twins;    // of these corners; empty if twins do not suffice (see plainTwins)
+
+ private:
+  std::array<Index, 3> placesOf(const TriangleMesh& mesh, std::size_t t) const;
 };
 
 }  // namespace remesher

@@ -360,15 +360,6 @@ bool staysOneSided(const TriangleMesh& input) {
   return !isFlaw(found) || isWorse(withHolesClosed(input, {}), input);
 }
 
-bool isSameMesh(const TriangleMesh& one, const TriangleMesh& other) {
-  return one.positions == other.positions && one.indices == other.indices &&
-         one.groups == other.groups &&
-         std::equal(one.attributes.begin(), one.attributes.end(), other.attributes.begin(),
-                    other.attributes.end(), [](const Attribute& a, const Attribute& b) {
-                      return a.semantic == b.semantic && a.values == b.values;
-                    });
-}
-
 // Without cracks, and without triangles that have no area: they join nothing once they are cut.
 TriangleMesh stitched(const TriangleMesh& input) {
   TriangleMesh mesh = atOnePosition(input);
@@ -461,7 +452,7 @@ RepairedMesh repairSurface(const TriangleMesh& input, const PartOptions& options
     // A body of a few triangles, thinner than single precision tells, may come out inside out.
     if (faceOutwards(result.mesh)) fires("repair: the lattice's bodies turned");
   }
-  result.mesh = isSameMesh(result.mesh, ordered) ? input : inGivenOrder(result.mesh, input);
+  result.mesh = haveSameContent(result.mesh, ordered) ? input : inGivenOrder(result.mesh, input);
   return result;
 }
 

@@ -62,12 +62,7 @@ class Stitcher {
  private:
   // Per halfedge of the mesh whether it is alone at its edge.
   std::vector<char> openEdgesOf(const Welding& welding) const {
-    std::vector<Index> given;  // per triangle with three places its number in the mesh
-    for (Index t = 0; t < mesh_.triangleCount(); ++t) {
-      const Index* v = &mesh_.indices[3 * std::size_t{t}];
-      const Index a = welding.first[v[0]], b = welding.first[v[1]], c = welding.first[v[2]];
-      if (a != b && b != c && c != a) given.push_back(t);
-    }
+    const std::vector<Index> given = welding.triangles(mesh_);
     std::vector<char> isOpen(mesh_.indices.size(), 0);
     welding.forEachEdge([&](std::span<const Index> edge) {
       if (edge.size() == 1) isOpen[3 * std::size_t{given[edge[0] / 3]} + edge[0] % 3] = 1;

@@ -7,7 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "io/model/same_mesh.h"
 #include "mesh/joining.h"
 #include "textures/atlas_painting.h"
 
@@ -66,7 +65,7 @@ void Repaint::paint(io::Model& model, const std::vector<std::vector<InputPlace>>
                     const RemeshOptions& options, const Progress& progress) const {
   std::vector<char> areGiven;
   for (std::size_t p = 0; p < surfaces_.size(); ++p)
-    areGiven.push_back(io::isSame(surfaces_[p].mesh, originals_[p].mesh));
+    areGiven.push_back(haveSameContent(surfaces_[p].mesh, originals_[p].mesh));
   std::vector<Index> own(surfaces_.size());
   std::iota(own.begin(), own.end(), Index{0});
   std::vector<double> cages;

@@ -44,7 +44,7 @@ bool isUntouched(const GltfDocument& document, const Part& part, int mesh) {
   if (count != part.mesh.positions.size()) return false;
   std::vector<Warning> alreadyKnown;
   const TriangleMesh read = readGeometry(document, mesh, alreadyKnown);
-  return !isMended(alreadyKnown) && isSame(part.mesh, read);
+  return !isMended(alreadyKnown) && haveSameContent(part.mesh, read);
 }
 
 // The numbers of the replaced parts.

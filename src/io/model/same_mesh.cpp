@@ -5,15 +5,6 @@
 
 namespace remesher::io {
 
-bool isSame(const TriangleMesh& a, const TriangleMesh& b) {
-  const auto sameAttribute = [](const Attribute& x, const Attribute& y) {
-    return x.semantic == y.semantic && x.itemSize == y.itemSize && x.values == y.values;
-  };
-  return a.indices == b.indices && a.groups == b.groups && a.positions == b.positions &&
-         std::equal(a.attributes.begin(), a.attributes.end(), b.attributes.begin(),
-                    b.attributes.end(), sameAttribute);
-}
-
 bool isMended(const std::vector<Warning>& warnings) {
   return std::any_of(warnings.begin(), warnings.end(), [](const Warning& warning) {
     return warning.code == "NON_FINITE_ATTRIBUTE" || warning.code == "JOINT_NOT_IN_SKIN" ||

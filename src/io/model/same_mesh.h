@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Whether a part is still as it was read, so that its file can be written unchanged.
+// The warnings of reading where the file itself, unchanged, may be the result.
 #pragma once
 
 #include <vector>
 
 #include "base/report.h"
-#include "base/triangle_mesh.h"
 
 namespace remesher::io {
-
-// Whether all numbers are equal.
-bool isSame(const TriangleMesh& a, const TriangleMesh& b);
 
 // Whether reading, which gave these warnings, replaced meaningless values, or read what readers of
 // its kind of file may not find: the file itself is still as it was.

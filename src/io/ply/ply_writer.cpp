@@ -23,7 +23,7 @@ bool isUntouched(const PlySource& source, const Model& model) {
   if (mesh.positions.size() != source.vertexCount || mesh.triangleCount() != source.triangleCount)
     return false;
   const Model read = readPly(source.original, {});
-  return !isMended(read.warnings) && isSame(mesh, read.parts[0].mesh);
+  return !isMended(read.warnings) && haveSameContent(mesh, read.parts[0].mesh);
 }
 
 // How the file is written: encoding, remarks, and the values in each row.

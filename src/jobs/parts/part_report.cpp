@@ -180,7 +180,7 @@ FidelityReport fidelityOf(const PartPairs& parts, Maximum maximum, std::optional
   return most;
 }
 
-std::vector<Warning> joined(std::vector<Warning> all, const std::vector<Warning>& more) {
+std::vector<Warning> mergedByCode(std::vector<Warning> all, const std::vector<Warning>& more) {
   for (const Warning& warning : more) {
     const auto same = std::find_if(all.begin(), all.end(),
                                    [&](const Warning& w) { return w.code == warning.code; });

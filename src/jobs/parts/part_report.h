@@ -45,7 +45,8 @@ struct PartPairs {
 // and without lines.
 FidelityReport fidelityOf(const PartPairs& parts, Maximum maximum, std::optional<ListedTree> tree);
 
-// Both lists as one; warnings of the same code are merged.
-std::vector<Warning> joined(std::vector<Warning> all, const std::vector<Warning>& more);
+// Both lists as one. Of several warnings with one code the first's message and place stay, with the
+// sum of their counts.
+std::vector<Warning> mergedByCode(std::vector<Warning> all, const std::vector<Warning>& more);
 
 }  // namespace remesher

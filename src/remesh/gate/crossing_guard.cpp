@@ -33,15 +33,6 @@ bool contains(std::span<const Face> faces, Face f) {
   return std::find(faces.begin(), faces.end(), f) != faces.end();
 }
 
-// All triangles that go, with those that vanish beside a collapsing edge.
-std::vector<Face> goingAll(const HalfedgeMesh& mesh, const LocalChange& change) {
-  std::vector<Face> all = change.going;
-  if (change.operation == Operation::Collapse)
-    for (const Halfedge side : {change.halfedge, mesh.twin(change.halfedge)})
-      if (side) all.push_back(HalfedgeMesh::face(side));
-  return all;
-}
-
 // The index by which the triangles around know the moved vertex; kNone for a new one.
 Index nameOfMoved(const HalfedgeMesh& mesh, const LocalChange& change) {
   if (change.operation == Operation::Collapse) return mesh.tip(change.halfedge).index;
@@ -147,14 +138,14 @@ bool CrossingGuard::turnsPast(std::span<const NamedTriangle> after,
 bool CrossingGuard::allows(const LocalChange& change) const {
   std::vector<NamedTriangle> after;
   for (const auto& corners : change.coming) after.push_back(coming(change, corners));
-  const std::vector<Face> gone = goingAll(mesh_.mesh(), change);
+  const std::vector<Face> gone = removedFaces(mesh_.mesh(), change);
   if (turnsPast(after, gone)) return false;
   return countAmong(after, gone, 1) == 0 || growth(change) <= 0;
 }
 
 std::ptrdiff_t CrossingGuard::growth(const LocalChange& change) const {
   std::vector<NamedTriangle> before, after;
-  const std::vector<Face> gone = goingAll(mesh_.mesh(), change);
+  const std::vector<Face> gone = removedFaces(mesh_.mesh(), change);
   for (const Face f : gone) before.push_back(present(f));
   for (const auto& corners : change.coming) after.push_back(coming(change, corners));
   const std::size_t pairs = countAmong(before, gone, before.max_size());

@@ -91,16 +91,6 @@ std::vector<Triangle> comingTriangles(const WorkingMesh& mesh, const LocalChange
   return result;
 }
 
-// The faces that go: those the proposal names, and with a collapse those of the edge itself.
-std::vector<Face> goingFaces(const HalfedgeMesh& mesh, const LocalChange& change) {
-  std::vector<Face> faces = change.going;
-  if (change.operation == Operation::Collapse)
-    for (const Halfedge h : {change.halfedge, mesh.twin(change.halfedge)})
-      if (h) faces.push_back(HalfedgeMesh::face(h));
-  std::sort(faces.begin(), faces.end());
-  return faces;
-}
-
 // The faces that touch one of `faces` and are none of them. `faces` must be sorted.
 std::vector<Face> facesAround(const HalfedgeMesh& mesh, const std::vector<Face>& faces) {
   std::vector<Face> around;
@@ -130,7 +120,8 @@ void ErrorBound::remember(const Piece& lost) const {
 
 bool ErrorBound::keepsOriginal(const WorkingMesh& mesh, const LocalChange& change,
                                const std::vector<Triangle>& coming) const {
-  const std::vector<Face> faces = goingFaces(mesh.mesh(), change);
+  std::vector<Face> faces = removedFaces(mesh.mesh(), change);
+  std::sort(faces.begin(), faces.end());
   Nearby going, present;
   Box box;
   for (const Face f : faces) {

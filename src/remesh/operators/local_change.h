@@ -36,6 +36,10 @@ inline const Vec3& positionAfter(const WorkingMesh& mesh, const LocalChange& cha
   return v == kMoved ? change.place.position : mesh.position(v);
 }
 
+// All triangles that the change takes away: those that change, and beside a collapsing edge those
+// that vanish.
+std::vector<Face> removedFaces(const HalfedgeMesh& mesh, const LocalChange& change);
+
 // Carries out an accepted change. Returns the vertex it made, moved or kept; none for a flip.
 Vertex apply(WorkingMesh& mesh, const LocalChange& change);
 

@@ -23,6 +23,14 @@ bool proposeRelocation(const WorkingMesh& mesh, Projector& projector, const Star
   return true;
 }
 
+std::vector<Face> removedFaces(const HalfedgeMesh& mesh, const LocalChange& change) {
+  std::vector<Face> faces = change.going;
+  if (change.operation == Operation::Collapse)
+    for (const Halfedge side : {change.halfedge, mesh.twin(change.halfedge)})
+      if (side) faces.push_back(HalfedgeMesh::face(side));
+  return faces;
+}
+
 Vertex apply(WorkingMesh& mesh, const LocalChange& change) {
   switch (change.operation) {
     case Operation::Flip:

@@ -58,12 +58,9 @@ double lengthOf(const TriangleMesh& input, const Attribute& attribute) {
 }  // namespace
 
 bool haveSameLook(const TriangleMesh& input, Index a, Index b) {
-  return a == b ||
-         std::all_of(input.attributes.begin(), input.attributes.end(), [&](const auto& x) {
-           if (startsWith(x, "NORMAL") || startsWith(x, "TANGENT")) return true;
-           const auto at = [&](Index i) { return x.values.begin() + std::size_t{i} * x.itemSize; };
-           return std::equal(at(a), at(a) + x.itemSize, at(b));
-         });
+  return haveSameAttributes(input, a, b, [](std::string_view semantic) {
+    return !semantic.starts_with("NORMAL") && !semantic.starts_with("TANGENT");
+  });
 }
 
 KeptAttributes attributesAsLengths(const BuiltMesh& original, const TriangleMesh& input) {

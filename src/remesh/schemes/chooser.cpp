@@ -188,7 +188,7 @@ constexpr std::array kRules = {
 
     Rule{Decision::Repaired,
          "simplified-unsound",
-         {is(Fact::SimplifiedTaken), is(Fact::ResultUnsound)},
+         {is(Fact::SimplifiedTaken), is(Fact::ResultUnsound), is(Fact::OriginalSound)},
          Candidate::Isotropic,
          "Simplification would make the repaired surface intersect itself."},
     Rule{Decision::Repaired, "as-made", {}, Candidate::AsMade, "The mesh is isotropic, or sound."},

@@ -39,7 +39,7 @@ enum class Candidate {
   Conforming,  // triangles within the original's facets, on its shape exactly, or unrolled
   Uncrossed,   // isotropic triangles, made again by steps that add no self-intersection
   Own,         // of the input's own vertices those that the shape needs
-  More,        // more vertices than the input has, with isotropic triangles
+  More,        // the mesh with the raised number of vertices
   Unlimited,   // the mesh made without regard to the limits
   MirroredQuads,
   Quads,
@@ -56,19 +56,21 @@ enum class Fact {
   ShapeAsked,
   QuadsAsked,
   VerticesPlaced,  // by an option: density, edges, a bound, kept boundaries, repair …
-  MoreThanInput,   // vertices are wanted
+  MoreThanInput,   // more vertices are wanted than the input has
   // About the candidates for one surface. A distance is seen if it is above kSeen.
   CornersExceedNumber,  // more corners of curves than vertices, where textures are baked or colours
                         // would raise the number; of a budget: more sharp corners
   SimplifiedToNumber,   // simplification reaches the number asked for
-  SimplifiedOrDivided,  // the same, or the original's triangles can be divided to it
+  SimplifiedOrDivided,  // simplification reaches it, or the original's triangles can be divided
   NumberReached,        // by the isotropic triangles
   FacetsMeshed,         // facet by facet, with the number asked for
-  FacetsBetter,         // the same, and isotropic triangles are nearly seen to be away
-  FacetsUnrolled,       // several together, because they are narrow
-  IsotropicInstead,     // the same, but poorly shaped, and isotropic triangles are hardly off
+  FacetsBetter,         // the mesh of facets is worth more than the isotropic one
+  FacetsUnrolled,       // narrow facets were unrolled and meshed together
+  IsotropicInstead,     // the facets' triangles are poorly shaped; isotropic ones keep edges,
+                        // volume and distance
   UnfinishedFar,        // the unfinished isotropic triangles are hopelessly farther away
-  UnfinishedNear,       // the unfinished isotropic triangles are nowhere seen to be away
+  UnfinishedNear,       // the unfinished isotropic triangles are not seen to be away: on parts of
+                        // about their own number or more nowhere, else on average
   IsotropicFar,         // the finished isotropic triangles are seen to be away
   SimplifiedNearer,     // the simplified mesh is so much nearer that it is worth its angles
   FlatSidesRefined,     // more vertices than the input's are wanted, and flat sides show dents

@@ -88,7 +88,7 @@ std::optional<Followed> conformed(const BuiltMesh& original, const TriangleMesh&
   if (!mesh) return {};
   const OriginalSurface surface(original, mesh->curves());
   Followed result = ConformedExtraction(*mesh, surface, input).run();
-  if (hasLines(result.mesh)) return {};
+  if (hasDegenerate(result.mesh)) return {};
   result.away = awayFrom({mesh->mesh(), mesh->positions()}, original.mesh, original.positions);
   return result;
 }

@@ -28,15 +28,6 @@ Index groupOf(const TriangleMesh& input, Index triangle) {
   return input.groups.empty() ? 0 : input.groups[triangle];
 }
 
-bool sameAttributes(const TriangleMesh& input, Index a, Index b, std::string_view beginning = "") {
-  return a == b ||
-         std::all_of(input.attributes.begin(), input.attributes.end(), [&](const auto& x) {
-           if (!x.semantic.starts_with(beginning)) return true;
-           const auto at = [&](Index i) { return x.values.begin() + std::size_t{i} * x.itemSize; };
-           return std::equal(at(a), at(a) + x.itemSize, at(b));
-         });
-}
-
 // The triangles of a simplified surface, each corner with the corner of the original that it stands
 // for.
 class Extraction {
@@ -118,12 +109,8 @@ class Extraction {
       if (input_.indices[cornerOf(place.triangle, k)] == wedge) place.weights[k] = 1;
     result_.places.push_back(place);
     if (!isNew) return;
-    for (std::size_t a = 0; a < input_.attributes.size(); ++a) {
-      const Attribute& from = input_.attributes[a];
-      const auto first = from.values.begin() + std::ptrdiff_t(wedge) * from.itemSize;
-      auto& to = result_.mesh.attributes[a].values;
-      to.insert(to.end(), first, first + from.itemSize);
-    }
+    for (std::size_t a = 0; a < input_.attributes.size(); ++a)
+      appendValue(result_.mesh.attributes[a], input_.attributes[a], wedge);
   }
 
   const SimpleSurface& surface_;
@@ -177,10 +164,12 @@ HalfedgeData<char> seamsOf(const BuiltMesh& built, const TriangleMesh& input, Te
              compare(built.wedges[m.next(h)], built.wedges[t]);
     };
     const bool isSame = areSame([&](Index a, Index b) {
-      return keepsLook ? haveSameLook(input, a, b) : sameAttributes(input, a, b);
+      return keepsLook ? haveSameLook(input, a, b) : haveSameAttributes(input, a, b);
     });
-    const bool isOneChart =
-        areSame([&](Index a, Index b) { return sameAttributes(input, a, b, "TEXCOORD"); });
+    const bool isOneChart = areSame([&](Index a, Index b) {
+      return haveSameAttributes(
+          input, a, b, [](std::string_view semantic) { return semantic.starts_with("TEXCOORD"); });
+    });
     seams[h] = group(h) != group(t) || !isOneChart ? kSeam : isSame ? kNoSeam : kJump;
   }
   return seams;
@@ -194,7 +183,7 @@ std::size_t distinctPositions(const HalfedgeMesh& mesh, const VertexData<Vec3>& 
   return countPlaces(places);
 }
 
-bool hasLines(const TriangleMesh& mesh) {
+bool hasDegenerate(const TriangleMesh& mesh) {
   for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
     const auto [a, b, c] = cornersOf(mesh, t);
     if (flatness(a, b, c) <= kFlattest) return true;
@@ -202,8 +191,8 @@ bool hasLines(const TriangleMesh& mesh) {
   return false;
 }
 
-// Samples lie away from a triangle's corners, for vertices may have stayed there. Where the outline
-// of a flat surface was cut off only its border is away.
+// Samples lie away from a triangle's corners, for vertices may have stayed there. Boundaries are
+// sampled, too: where a flat surface lost part of its outline, nothing else is away.
 Away awayFrom(const MeshTree& other, const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
               const Samples& samples) {
   constexpr double kFar = 2.0 / 3, kNear = 1.0 / 6;

@@ -38,7 +38,7 @@ struct Followed {
 HalfedgeData<char> seamsOf(const BuiltMesh& built, const TriangleMesh& input, Textures textures);
 
 // Whether a triangle has no area.
-bool hasLines(const TriangleMesh& mesh);
+bool hasDegenerate(const TriangleMesh& mesh);
 
 // Whether the original has so few vertices, at most 32 per position, that its own triangles show.
 // If the caller prefers shape, `follow` is tried without this test.

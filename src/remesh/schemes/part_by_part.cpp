@@ -11,6 +11,7 @@
 #include "base/disjoint_sets.h"
 #include "base/place.h"
 #include "geometry/extent.h"
+#include "geometry/mesh_triangle.h"
 #include "geometry/triangle.h"
 #include "geometry/triangle_tree.h"
 #include "mesh/joints.h"
@@ -43,14 +44,9 @@ PartNumbers numbersOf(const TriangleMesh& input, const BuiltMesh& built) {
   return numbers;
 }
 
-Triangle cornersAt(const TriangleMesh& mesh, Index t) {
-  const Index* const corners = &mesh.indices[std::size_t{3} * t];
-  return {mesh.positions[corners[0]], mesh.positions[corners[1]], mesh.positions[corners[2]]};
-}
-
 // How much of the vertices a triangle is due.
 double weightOf(const TriangleMesh& mesh, Index t, const std::vector<float>& density) {
-  const auto [a, b, c] = cornersAt(mesh, t);
+  const auto [a, b, c] = cornersOf(mesh, t);
   double mean = 1;
   if (!density.empty()) {
     mean = 0;
@@ -90,7 +86,7 @@ void uniteImages(DisjointSets& sets, const TriangleMesh& input, const PartNumber
       std::vector<Index> images;
       const std::size_t size = triangles[part].size(), step = (size + kFew - 1) / kFew;
       for (std::size_t i = 0; i < size; i += step) {
-        const auto [a, b, c] = cornersAt(input, triangles[part][i]);
+        const auto [a, b, c] = cornersOf(input, triangles[part][i]);
         const Index near = tree.nearest(plane.mirrored((a + b + c) / 3)).triangle;
         if (numbers.ofTriangle[near] != kNone) images.push_back(numbers.ofTriangle[near]);
       }

@@ -110,11 +110,11 @@ std::optional<Followed> divided(Followed followed, std::size_t places, std::size
         flips ? std::min(vertices - places, places / 3 + 1) : vertices - places;
     if (!divideEdges(followed.mesh, more)) return {};
     places += more;
-    if (countPlaces(followed.mesh.positions) != places || hasLines(followed.mesh)) return {};
+    if (countPlaces(followed.mesh.positions) != places || hasDegenerate(followed.mesh)) return {};
     if (!flips) return followed;
     std::optional<Followed> widened =
         follow(buildMesh(followed.mesh), followed.mesh, places, {*flips});
-    if (!widened || hasLines(widened->mesh)) return {};
+    if (!widened || hasDegenerate(widened->mesh)) return {};
     followed = std::move(*widened);
   }
   return followed;

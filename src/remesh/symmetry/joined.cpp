@@ -93,12 +93,8 @@ class Joining {
     if (vertex.image != 0)
       whole_.append(place, mesh_.attributes);
     else
-      for (std::size_t a = 0; a < mesh_.attributes.size(); ++a) {
-        const Attribute& from = made_.mesh.attributes[a];
-        const auto first = from.values.begin() + std::size_t{vertex.source} * from.itemSize;
-        std::vector<float>& to = mesh_.attributes[a].values;
-        to.insert(to.end(), first, first + from.itemSize);
-      }
+      for (std::size_t a = 0; a < mesh_.attributes.size(); ++a)
+        appendValue(mesh_.attributes[a], made_.mesh.attributes[a], vertex.source);
     return Index(mesh_.positions.size() - 1);
   }
 

@@ -59,11 +59,6 @@ Vec3 mostNormal(std::span<const Vec3> normals) {
   return best;
 }
 
-void append(Attribute& to, const Attribute& from, Index vertex) {
-  const auto first = from.values.begin() + std::ptrdiff_t(vertex) * from.itemSize;
-  to.values.insert(to.values.end(), first, first + from.itemSize);
-}
-
 }  // namespace
 
 NewSurface::NewSurface(const TriangleMesh& mesh, std::span<const InputPlace> places,
@@ -156,7 +151,7 @@ TriangleMesh NewSurface::painted() const {
     if (!isNew) return;
     result.positions.push_back(mesh_.positions[v]);
     for (std::size_t a = 0; a < mesh_.attributes.size(); ++a)
-      append(result.attributes[a], mesh_.attributes[a], v);
+      appendValue(result.attributes[a], mesh_.attributes[a], v);
     for (const double x : n) normals.values.push_back(float(x));
     for (const double x : t) tangents.values.push_back(float(x));
     for (const double x : uv) texcoords.values.push_back(float(x));
