@@ -52,8 +52,7 @@ inline constexpr Names<BooleanOperation, 3> kBooleans = {
      {"intersect", BooleanOperation::Intersect}}};
 inline constexpr Names<Stopped, 4> kStopped = {{{"target", Stopped::Target},
                                                 {"fidelity", Stopped::Fidelity},
-                                                {"max-error", Stopped::MaxError},
-                                                {"cancelled", Stopped::Cancelled}}};
+                                                {"max-error", Stopped::MaxError}}};
 
 inline constexpr Names<Severity, 3> kSeverities = {
     {{"note", Severity::Note}, {"loss", Severity::Loss}, {"fault", Severity::Fault}}};

@@ -13,7 +13,7 @@ namespace remesher {
 enum class Severity {
   Note,   // how something was done; nothing is lost
   Loss,   // something of the input, or something that was asked for, is not in the result
-  Fault,  // the result has a fault that the input has not, or keeps one that was to be mended
+  Fault,  // the result has a fault that the input does not have, or keeps one that was to be mended
 };
 
 struct Diagnostic {

@@ -8,7 +8,7 @@ namespace remesher {
 
 class Random {
  public:
-  explicit Random(std::uint32_t seed) : state_(seed) {}
+  explicit Random(std::uint32_t seed) : state_(seed != 0 ? seed : 1) {}
 
   double uniform() {  // in [0, 1)
     state_ ^= state_ << 13;

@@ -108,7 +108,7 @@ struct SwitchReport {
   double distance = 0;
 };
 
-enum class Stopped { Target, Fidelity, MaxError, Cancelled };
+enum class Stopped { Target, Fidelity, MaxError };
 
 struct Phase {
   std::string name;

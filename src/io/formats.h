@@ -39,7 +39,7 @@ bool canHold(const std::string& outputName, Holds what);
 // Prepares a model that was read for a file of this name. In a format without instances each shown
 // instance becomes a part. In a format with single coordinates the model's are marked as single. If
 // single precision would lose a part's shape and the format has instances, the part moves to the
-// origin; without instances the steps are said, as ROUNDED_FAR_FROM_ORIGIN.
+// origin; without instances the warning ROUNDED_FAR_FROM_ORIGIN names the rounding step.
 void prepare(Model& model, const std::string& outputName);
 
 // In a format that holds no parts, those of a prepared model become one mesh, without groups, with

@@ -115,15 +115,15 @@ test('a guide far from the surface is named, with its distance', async () => {
   assert.match(far.message, /cloud \(by \d+ %\)/);
 });
 
-test('what is no line is refused in a sentence', async () => {
+test('a guide that is not a line is refused in a sentence', async () => {
   for (const [guides, sentence] of [
     [[[[0, 0, 0]]], /guide 1 has fewer than two points/],
-    [[{ points: [[0, 0, 0], [1, 0]] }], /point of guide 1 has not three coordinates/],
+    [[{ points: [[0, 0, 0], [1, 0]] }], /point of guide 1 does not have three coordinates/],
     [[{ points: new Float64Array(7), name: 'arc' }], /guide arc has 7 coordinates/],
-    [[[[0, 0, 0], [1, 0, Number.NaN]]], /coordinate of guide 1 is no number/],
+    [[[[0, 0, 0], [1, 0, Number.NaN]]], /coordinate of guide 1 is not a finite number/],
     [[{ points: [[0, 0, 0], [1, 0, 0]], kind: 'loop' }], /loop 1 has fewer than three points/],
     [[{ points: [[0, 0, 0], [1, 0, 0]], kind: 'ring' }], /'ring'.*direction and loop/],
-    [['line'], /guide 1 has no list of points|guide 1 is no line/],
+    [['line'], /guide 1 has no list of points|guide 1 is not a line/],
   ]) await rejectsWith(remesh(ring, { ...asked, guides }), 'INVALID_OPTION', sentence);
   await rejectsWith(remesh(ring, { guides: [roundTube(0)] }), 'INVALID_OPTION',
     /guides needs quads/);

@@ -286,7 +286,7 @@ test('the report says why a mode was chosen', async () => {
     assert.deepEqual([report.repair.mode, report.repair.reason], [mode, reason]);
     const isKept = reason === 'sound' || reason === 'sheets';
     assert.equal(report.chosen.rule, isKept ? 'kept' : 'repaired');
-    assert.match(reportInWords(report), reason === 'sound' ? /repair: nothing was to be repaired\n/
+    assert.match(reportInWords(report), reason === 'sound' ? /repair: nothing needed repair\n/
       : new RegExp(`repair \\(${mode}, \\w+ .*\\)`));
   }
 });

@@ -24,7 +24,9 @@ export const engines = [
   { kind: 'search for lost tips', before: 2, aim: 1,
     files: ['remesh/accuracy/tips', 'remesh/quads/shape/quad_tips'] },
   { kind: 'shortest paths along edges', before: 4, aim: 1, files: ['mesh/shortest_paths'] },
-  { kind: 'search for a number by trying', before: 4, aim: 1, files: ['jobs/fewest_vertices'] },
+  // The first has Bracket, which open numbers and levels by pixels use, too.
+  { kind: 'search for a number by trying', before: 4, aim: 1,
+    files: ['jobs/fewest_vertices', 'jobs/face_budget', 'jobs/angle_number'] },
   { kind: 'table that chooses a mesh', before: 7, aim: 1, files: ['remesh/schemes/chooser'] },
 ];
 

@@ -61,7 +61,7 @@ export class Setting {
   }
 }
 
-/** A setting that differs from its default, which is not kept, in one way only.
+/** A setting with one value besides its default; the default is not stored.
  * @param {string} name @param {string} other the text of the other value */
 export const switchSetting = (name, other) =>
   new Setting(name, (text) => (text === other ? other : undefined));

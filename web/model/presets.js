@@ -15,7 +15,8 @@ export const presets = [
   { id: 'accurate', values: { ...table.find(({ name }) => name === 'accurate')?.values } },
 ];
 
-const ofTextures = ['textures', 'textureSize', 'textureFormat'];
+/** The options of textures. */
+export const ofTextures = ['textures', 'textureSize', 'textureFormat'];
 
 /** @param {Values} values @param {string[]} names @returns {Values} */
 const only = (values, names) =>

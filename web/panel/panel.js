@@ -4,7 +4,7 @@
 import { defaultOf, optionRules, optionTable, repairNames } from 'remesher/options';
 import { byId, element } from '../base/dom.js';
 import { t, textIfAny } from '../base/i18n.js';
-import { ownChoices, presets, withPreset } from '../model/presets.js';
+import { ofTextures, ownChoices, presets, withPreset } from '../model/presets.js';
 import { Doors } from './doors.js';
 import { isRepairOnly, purposes } from '../model/purposes.js';
 import {
@@ -98,7 +98,6 @@ function valueOf(option, control) {
 const belongsInForm = ({ name, flag, form }) =>
   flag && form !== false && !TargetField.names.includes(name);
 
-const ofTextures = ['textures', 'textureSize', 'textureFormat'];
 const ofRepair = ['repair', 'holesUpTo', 'gap', 'cavities', 'sheets', 'keepRims', 'thickness',
   'base', 'unite', 'dropBelow', 'dropHidden'];
 

@@ -8,6 +8,7 @@ import { language, t, textIfAny } from '../base/i18n.js';
 import { saidAs } from '../base/said.js';
 import { histogram } from './histogram.js';
 import { repairView } from './repair_view.js';
+import { seenByAnyone } from './verdict.js';
 
 /** @typedef {import('remesher').MeshReport} MeshReport */
 /** @typedef {import('../model/result.js').Report} Report */
@@ -113,9 +114,6 @@ function note(warning, visitorOf) {
     original && element('small', { lang: 'en' }, original), onclick
     && element('button', { type: 'button', className: 'link', onclick }, t('visit')));
 }
-
-/** Percent of the diagonal: anyone sees a larger distance. */
-const seenByAnyone = 0.5;
 
 /** Whether a result is nowhere away from the original as far as anyone sees.
  * @param {Report} report */

@@ -27,7 +27,7 @@ import { distanceIn, lengthIn } from '../model/units.js';
  *   act?: { label: string, run: () => void } | null }} Line */
 
 /** Percent of the diagonal: anyone sees a larger distance. */
-const seenByAnyone = 0.5;
+export const seenByAnyone = 0.5;
 /** A share of the diagonal that is rounding alone. */
 const nothing = 1e-6;
 /** Degrees: smaller angles make solvers slow or wrong. */

@@ -12,7 +12,6 @@ import { abortError } from '../base/errors.js';
 
 /**
  * @typedef {object} Waiting
- * @property {AbortSignal | undefined} signal
  * @property {(client: Client) => void} start
  * @property {() => void} leave
  */
@@ -80,7 +79,6 @@ export class ClientPool {
         waiting.leave();
       };
       const waiting = {
-        signal,
         start: (/** @type {Client} */ client) => {
           signal?.removeEventListener('abort', abort);
           resolve(client);

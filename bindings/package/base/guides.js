@@ -29,13 +29,13 @@ function flatPoints(points, name) {
   const isFlat = points instanceof Float64Array || points instanceof Float32Array;
   if (!isFlat && !Array.isArray(points)) throw wrong(`guide ${name} has no list of points`);
   if (!isFlat && !points.every((point) => point?.length === 3)) {
-    throw wrong(`a point of guide ${name} has not three coordinates`);
+    throw wrong(`a point of guide ${name} does not have three coordinates`);
   }
   const flat = Float64Array.from(isFlat ? points : points.flatMap((point) => [...point]));
   if (flat.length % 3 !== 0) {
     throw wrong(`guide ${name} has ${flat.length} coordinates, which is no multiple of three`);
   }
-  if (!flat.every(Number.isFinite)) throw wrong(`a coordinate of guide ${name} is no number`);
+  if (!flat.every(Number.isFinite)) throw wrong(`a coordinate of guide ${name} is not a finite number`);
   if (flat.length < 6) throw wrong(`guide ${name} has fewer than two points`);
   return flat;
 }
@@ -49,13 +49,12 @@ export function isReturning(points) {
 function flattened(given, number) {
   const isLine = Array.isArray(given) || ArrayBuffer.isView(given);
   const guide = /** @type {Guide} */ (isLine ? { points: given } : given);
-  if (typeof guide !== 'object' || guide === null) throw wrong(`guide ${number} is no line`);
+  if (typeof guide !== 'object' || guide === null) throw wrong(`guide ${number} is not a line`);
   const name = legible(String(guide.name ?? number));
   const points = flatPoints(guide.points, name);
   const kind = guide.kind ?? (isReturning(points) ? 'loop' : 'direction');
   if (kind !== 'direction' && kind !== 'loop') {
-    throw wrong(`guide ${name} has the kind '${legible(String(kind))}', and there are direction `
-      + 'and loop');
+    throw wrong(`guide ${name} has kind '${legible(String(kind))}'; use 'direction' or 'loop'`);
   }
   if (kind === 'loop' && points.length < (isReturning(points) ? 12 : 9)) {
     throw wrong(`the loop ${name} has fewer than three points`);

@@ -2,10 +2,10 @@
 
 // The name that was probably meant by one that is not known.
 
-/** Longer names are not compared: that would take long. */
+/** Longer names are not compared, to save time. */
 const longestName = 100;
 
-/** The letters of which a name that begins with them is meant: fewer are no word. */
+/** Shorter words are not taken as the beginning of a name. */
 const fewestLetters = 3;
 
 /** The options that do what other tools call so; letters only, lower case. */

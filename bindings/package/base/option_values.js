@@ -31,7 +31,7 @@ export function rangeInWords(option) {
   if (option.type === 'shares') {
     return `1 to ${mostLods} numbers above 0, or so many with px behind them`;
   }
-  if (option.type === 'floats') return 'a Float32Array with one value per vertex';
+  if (option.type === 'floats') return 'a Float32Array or Float64Array with one value per vertex';
   if (option.type === 'indices') return 'a Uint32Array or array of triangle numbers, not empty';
   if (option.type === 'pairs') return 'a Uint32Array of vertex pairs, or an array of pairs';
   if (option.type === 'guides') return 'an array of lines, or of { points, kind }';

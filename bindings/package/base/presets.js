@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// THE table of presets: options for a purpose, for the command line, JavaScript and the page. No
+// The only table of presets: options for a purpose, for the command line, JavaScript and the page. No
 // preset sets a target: that is the caller's.
 
 /** @typedef {'asset' | 'print' | 'simulation' | 'quads' | 'accurate'} PresetName */
@@ -17,7 +17,7 @@
 export const presets = [
   { name: 'asset', help: 'a generated or scanned model for a scene, a game or AR: without '
     + 'floaters, small holes closed, vertices where shape and looks need them, new '
-    + 'textures in one set, compressed if it came so',
+    + 'textures in one set, compressed if the input was',
   values: { repair: 'holes', holesUpTo: 3, keepRims: true, dropBelow: 'auto', prefer: 'shape',
     textures: 'bake', textureFormat: 'webp', compress: 'auto' } },
   { name: 'print', help: 'a closed body for printing, within 0.2 % of the diagonal',
@@ -31,7 +31,7 @@ export const presets = [
 ];
 
 /**
- * Options by the option whose value in a preset they go with.
+ * Options that a preset drops together with the one they depend on.
  * @type {Readonly<Record<string, readonly string[]>>}
  */
 export const belonging = {

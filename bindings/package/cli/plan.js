@@ -8,7 +8,7 @@ import { basename, join, relative, sep } from 'node:path';
 import { RemeshError } from '../base/errors.js';
 import { readFormats, withoutGz } from '../base/formats.js';
 import { legible } from '../base/legible.js';
-import { reason } from '../files/reasons.js';
+import { reason, unreadable } from '../files/reasons.js';
 
 /**
  * A path that the user named, and the place of its result. With an error nothing can be read there.
@@ -27,11 +27,6 @@ function statsOf(path) {
   } catch {
     return undefined;
   }
-}
-
-/** @param {string} path @param {string} why @param {string} [hint] */
-function unreadable(path, why, hint = 'Check the name.') {
-  return new RemeshError('INPUT_UNREADABLE', `${legible(path)} cannot be read: ${why}.`, hint);
 }
 
 /** @param {string} path @param {unknown} error @returns {Found} */

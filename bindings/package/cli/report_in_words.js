@@ -101,8 +101,8 @@ function switchInWords({ coverage, distance }, { diagonal, unit }) {
 
 const reasons = {
   asked: 'as asked',
-  sound: 'nothing was to be repaired',
-  joined: 'nearly equal places were made one; else nothing was to be repaired',
+  sound: 'nothing needed repair',
+  joined: 'nearly equal positions were merged; nothing else needed repair',
   closed: 'with its loops closed it is sound',
   united: 'bodies that intersect were united exactly',
   made: 'sheets became bodies',
@@ -166,13 +166,13 @@ function repairInWords(repair, nonManifold, model) {
     + `${counted(islands, 'island')} and `
     + `${counted(shells, 'hidden piece')} removed, ${counted(turned, 'triangle')} turned over\n`
     + (rims > 0 ? `  ${counted(rims, 'rim')} left open${widest(repair.rimsAt, model)}\n` : '')
-    + (bodies > 0 ? `  ${counted(bodies, 'sheet')} made a closed body\n` : '')
+    + (bodies > 0 ? `  ${counted(bodies, 'sheet')} thickened to ${bodies === 1 ? 'a closed body' : 'closed bodies'}\n` : '')
     + `${lossInWords(repair, model)}\n`
     + `  self-intersecting triangles: ${before} before, ${after} after`;
 }
 
-const cures = {
-  off: 'nothing is to be repaired',
+const suggestions = {
+  off: 'nothing needs repair',
   holes: 'what would repair it: holes, which closes loops, turns bodies that are inside '
     + 'out, and leaves the rest',
   solid: 'what would repair it: solid, the outside of what encloses something',
@@ -199,9 +199,9 @@ function cureInWords({ faults: { repair, openLoops }, input: { nonManifoldEdges 
       ? `places that differ only by rounding are to be made one: ${rounded.count}` : cures.off;
     return `${cure}${touching(nonManifoldEdges)}`;
   }
-  return repair === 'off' ? 'nothing is to be repaired: sheets enclose '
+  return repair === 'off' ? 'nothing needs repair: sheets enclose '
     + 'nothing; --repair wrap makes them thin solids, --thickness bodies, --base reliefs that stand'
-    : cures[repair];
+    : suggestions[repair];
 }
 
 /** @param {Inspected} report */
@@ -279,8 +279,11 @@ function presetInWords(preset) {
 }
 
 /** @param {number} bytes */
-const sizeInWords = (bytes) => (bytes < 1e6
-  ? `${(bytes / 1e3).toPrecision(3)} kB` : `${(bytes / 1e6).toPrecision(3)} MB`);
+function sizeInWords(bytes) {
+  const units = ['kB', 'MB', 'GB'];
+  const step = units.findIndex((_, i) => i === 2 || bytes < 999.5e3 * 1000 ** i);
+  return `${Number((bytes / 1000 ** (step + 1)).toPrecision(3))} ${units[step]}`;
+}
 
 /** @param {import('../base/messages.js').Texture[]} textures */
 function texturesInWords(textures) {

@@ -10,7 +10,7 @@ import { legible } from '../base/legible.js';
 const baseName = (path) => path.slice(Math.max(path.lastIndexOf('/'), path.lastIndexOf('\\')) + 1);
 
 /** A malformed URI stays as it is. @param {string} uri */
-function percentDecoded(uri) {
+export function percentDecoded(uri) {
   try {
     return decodeURIComponent(uri);
   } catch {

@@ -2,6 +2,7 @@
 // KHR_draco_mesh_compression: each primitive of triangles becomes one compressed range. Where their
 // order matters, as of quads and under morph targets, triangles and vertices keep it.
 
+import { directionBits, finestTexcoord } from './gltf_data.js';
 import { areApart, extentOf, shareMoved, stepFor } from './rounded_positions.js';
 
 /** @typedef {import('./gltf_data.js').GltfData} GltfData */
@@ -9,8 +10,6 @@ import { areApart, extentOf, shareMoved, stepFor } from './rounded_positions.js'
 const extension = 'KHR_draco_mesh_compression';
 const [unsignedInt, float] = [5125, 5126];
 
-const directionBits = 12;
-const finestTexcoord = 2 ** -16;
 const mostBits = 24; // more than floats hold
 
 

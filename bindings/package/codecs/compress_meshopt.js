@@ -2,6 +2,7 @@
 // EXT_meshopt_compression: each accessor becomes a compressed buffer view of its own. Triangles,
 // vertices and their order stay; where primitives are quads, so do the first corners.
 
+import { directionBits, finestTexcoord } from './gltf_data.js';
 import { gridOf, roundPositions } from './rounded_positions.js';
 
 /** @typedef {import('./gltf_data.js').GltfData} GltfData */
@@ -10,11 +11,7 @@ const extension = 'EXT_meshopt_compression';
 const short = 5122;
 const [unsignedByte, unsignedShort, unsignedInt] = [5121, 5123, 5125];
 
-// Directions in so many bits are off by less than a twentieth of a degree; texture coordinates to
-// such a step by less than a tenth of a texel of 4096.
-const directionBits = 12;
-const finestTexcoord = 2 ** -16;
-// Larger coordinates are left as they are: their multiples of the step would need more bits.
+// Larger texture coordinates are left as they are: multiples of the finest step would need more bits.
 const largestTexcoord = 64;
 
 /** What accessors are for, by their numbers. @typedef {{ semantic: string, isTarget: boolean }}

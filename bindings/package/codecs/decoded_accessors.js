@@ -2,8 +2,7 @@
 // Compressed data can be looked at only once it is decoded. Then accessors get their true bounds,
 // and numbers that may have one value only get that value.
 
-const components = /** @type {Record<string, number>} */ (
-  { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT2: 4, MAT3: 9, MAT4: 16 });
+import { components, float } from './gltf_data.js';
 
 /** @typedef {(data: DataView, at: number) => number} Read */
 
@@ -16,8 +15,6 @@ const types = {
   5125: { size: 4, read: (data, at) => data.getUint32(at, true) },
   5126: { size: 4, read: (data, at) => data.getFloat32(at, true) },
 };
-
-const float = 5126;
 
 /**
  * An accessor with the bytes that it shows.

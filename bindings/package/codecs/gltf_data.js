@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: MIT
 // The numbers of a glTF tree: accessors as arrays, and new data in place of theirs.
 
-const components = /** @type {Record<string, number>} */ (
+/** How many numbers an element of an accessor has, by its type. */
+export const components = /** @type {Record<string, number>} */ (
   { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT2: 4, MAT3: 9, MAT4: 16 });
 const sizes = /** @type {Record<number, number>} */ (
   { 5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4 });
 
 export const float = 5126;
+
+/** Of compressed files: directions in so many bits are off by less than a twentieth of a degree,
+ * texture coordinates to such a step by less than a tenth of a texel of 4096. */
+export const directionBits = 12, finestTexcoord = 2 ** -16;
 
 /** @param {number} length */
 const padded = (length) => Math.ceil(length / 4) * 4;

@@ -11,7 +11,7 @@ import { RemeshError } from '../base/errors.js';
 import { legible } from '../base/legible.js';
 import { OpenFile } from '../base/open_file.js';
 import { Pieces } from '../base/pieces.js';
-import { codeOf, kindOf, reason } from './reasons.js';
+import { codeOf, kindOf, reason, unreadable } from './reasons.js';
 
 // Bytes of a file that is read whole: more than a run can use of WebAssembly's memory.
 const largest = 2 ** 31 - 1;
@@ -19,11 +19,6 @@ const largest = 2 ** 31 - 1;
 // Milliseconds: a shell that redirects into a pipe has opened it long before.
 const patience = 2_000;
 const step = 20;
-
-/** @param {string} path @param {string} why @param {string} [hint] */
-function unreadable(path, why, hint = 'Check the name.') {
-  return new RemeshError('INPUT_UNREADABLE', `${legible(path)} cannot be read: ${why}.`, hint);
-}
 
 /**
  * A piece of what comes through a pipe. Empty: no program writes into it, or none does any longer;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Why the system refused, in words, for errors that name the file themselves.
 
+import { RemeshError } from '../base/errors.js';
 import { legible } from '../base/legible.js';
 
 const known = new Map([
@@ -28,6 +29,12 @@ export function codeOf(error) {
 /** @param {unknown} error */
 export function reason(error) {
   return known.get(codeOf(error)) ?? legible(error);
+}
+
+/** @param {string} path @param {string} why @param {string} [hint] */
+export function unreadable(path, why, hint) {
+  return new RemeshError('INPUT_UNREADABLE', `${legible(path)} cannot be read: ${why}.`,
+    hint ?? 'Check the name.');
 }
 
 /** The kind of a path that is no plain file. @param {import('node:fs').Stats} stats */

@@ -2,6 +2,7 @@
 // Takes the images of glTF files out to be decoded, and puts painted images into results that refer
 // to them.
 
+import { percentDecoded } from '../codecs/buffer_views.js';
 import { openContainer, packGlb } from '../codecs/gltf_container.js';
 import { RemeshError } from '../base/errors.js';
 import { legible } from '../base/legible.js';
@@ -14,15 +15,6 @@ import { imageHeader } from './image_header.js';
 const placeholder = /^painting:(\d+)$/;
 const extensions = /** @type {Record<string, string>} */ (
   { 'image/png': 'png', 'image/jpeg': 'jpg', 'image/webp': 'webp' });
-
-/** @param {string} uri */
-function decoded(uri) {
-  try {
-    return decodeURIComponent(uri);
-  } catch {
-    return uri;
-  }
-}
 
 /** Undefined if it is broken. @param {string} uri */
 function dataOf(uri) {
@@ -59,7 +51,7 @@ function resource(uri, { resources }) {
   const named = byName.get(resources)
     ?? new Map([...resources].reverse().map(({ name, bytes }) => [name, bytes]));
   byName.set(resources, named);
-  return named.get(uri) ?? named.get(decoded(uri));
+  return named.get(uri) ?? named.get(percentDecoded(uri));
 }
 
 /**

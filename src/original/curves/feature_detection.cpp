@@ -10,10 +10,9 @@ namespace remesher {
 
 namespace {
 
-// Those of a machine part (fandisk) are 148 × as sharp. On scans a network is a feature only if it
-// is closed: others have loose ends. Repair's needles make some networks look worse (5–15 × as
-// sharp, of an assembly whose edges are 31 × as sharp altogether): where the whole is much sharper,
-// each network is a part's.
+// Sharp edges of machine parts are far sharper than their surroundings; those of scans, and of
+// needles that repair leaves, are not. Where the whole network is sharper than this ratio, open
+// networks count as features, too; else only closed ones, for those of scans have loose ends.
 constexpr double kMuchSharper = 20;
 // Target edge lengths.
 constexpr double kLongEnough = 3;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The one gate that every operation passes [DGP 2016, "Controlling Mesh Fidelity"].
+// The gate: decides whether a proposed change is accepted [DGP 2016, "Controlling Mesh Fidelity"].
+// src/README.md lists the changes that do not pass it.
 //
 // With N_i the original's unit normal under a corner i of a triangle T and N_T the normal of T
 // itself:
-//   strict  every pair  N_i·N_j > cos θ1  and every  N_i·N_T > cos θ2  (the report's text)
-//   loose   some pair and some corner pass  (the report's program)
+//   strict  every pair  N_i·N_j > cos θ1  and every  N_i·N_T > cos θ2  (the text of [DGP 2016])
+//   loose   some pair and some corner pass  (its program)
 //   fold    every  N_i·N_T > fold, or the worst is no worse than the worst of the triangles that
 //           the operation replaces; and if the worst is kFold or less, no triangle faces away from
 //           all that the operation replaces

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The state that every step of a scheme works with, and the one way to change the mesh: propose,
+// The state that every step of a scheme works with, and the usual way to change the mesh: propose,
 // judge, apply.
 #pragma once
 
@@ -21,7 +21,8 @@ enum class Boundaries { Even, Staggered };
 
 class OriginalTree;
 
-// The request to the steps. The caller of several steps sets it before them; a step reads it.
+// The request to the steps, which the scheme sets. Steps only change `scale` (adaptToSizes,
+// boundError).
 struct Asked {
   FidelityRule rule;
   Effort effort = kUsual;

@@ -10,9 +10,8 @@ namespace remesher {
 
 namespace {
 
-// A triangle with less than this share of the area that it should have counts as folded. With 0, 4
-// of 7 meshes of a dragon, a torn scan, in about 10,000 quads are the same; the least scaled
-// Jacobians of the others are -.11, -.02 and -.05, not -.11, -.45 and -.03.
+// A triangle with less than this share of the area that it should have counts as folded: nearly
+// degenerate triangles make bad quads, too.
 constexpr double kLeastArea = 0.02;
 // Rings around folds that move.
 constexpr int kRings = 3;
