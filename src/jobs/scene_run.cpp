@@ -191,13 +191,17 @@ void warnOf(Report& report, const PartPairs& parts, const MadeCrossings& crossin
             const PartOptions& wanted) {
   for (const std::vector<Warning>& more :
        {warningsOf(crossings, parts.results), resultWarnings(report, parts.results, wanted),
-        bordersOffGiven(parts.originals, parts.results), dentedPart(report, parts, wanted)})
+        bordersOffGiven(parts.originals, parts.results)})
     report.warnings = mergedByCode(std::move(report.warnings), more);
-  if (!report.output->quads) return;
-  for (const std::vector<Warning>& more : {pairedParts(*report.output->quads, parts.results),
-                                           lostToQuads(parts.originals, parts.results),
-                                           turnedFromGiven(parts.originals, parts.results)})
-    report.warnings = mergedByCode(std::move(report.warnings), more);
+  std::vector<Warning> lost;
+  if (report.output->quads) {
+    for (const std::vector<Warning>& more : {pairedParts(*report.output->quads, parts.results),
+                                             turnedFromGiven(parts.originals, parts.results)})
+      report.warnings = mergedByCode(std::move(report.warnings), more);
+    lost = lostToQuads(parts.originals, parts.results);
+  }
+  if (lost.empty()) lost = dentedPart(report, parts, wanted);
+  report.warnings = mergedByCode(std::move(report.warnings), lost);
 }
 
 // Measures what was wanted of each edge and triangle, and warns where it is not so.

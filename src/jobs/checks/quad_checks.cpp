@@ -24,22 +24,8 @@ namespace {
 // A border farther off than this share of the diagonal shows.
 constexpr double kOffBorder = 5e-4;
 
-// Quads that are farther away than so many of their mean sides have lost a part of the shape. It is
-// looked for at so many vertices of a mesh, evenly among all.
+// Quads that are farther away than so many of their mean sides have lost a part of the shape.
 constexpr double kLostSides = 0.6;
-constexpr std::size_t kMostQuadSamples = 20'000;
-
-// A power of two that brings a mesh to about unit size: trees compare distances in single
-// precision.
-double checkedUnit(const TriangleMesh& mesh) {
-  const double size = extentOf(mesh).diagonal();
-  return size > 0 && std::isfinite(size) ? std::ldexp(1.0, -std::ilogb(size)) : 1;
-}
-
-std::vector<Vec3> scaled(std::vector<Vec3> positions, double unit) {
-  for (Vec3& p : positions) p *= unit;
-  return positions;
-}
 
 // The open edges of a mesh, as triangles without area, and the number of loops that they make.
 struct Border {
@@ -74,7 +60,7 @@ OffBorder offBorder(const TriangleMesh& given, const TriangleMesh& result) {
   if (before.lines.empty()) return off;
   off.closed = before.loops - std::min(before.loops, after.loops);
   const double unit = checkedUnit(given), most = kOffBorder * unit * extentOf(given).diagonal();
-  const std::vector<Vec3> positions = scaled(given.positions, unit);
+  const std::vector<Vec3> positions = inUnits(given.positions, unit);
   const TriangleTree tree(positions, before.lines);
   std::vector<Index> corners = after.lines;
   std::sort(corners.begin(), corners.end());
@@ -120,19 +106,15 @@ std::vector<Warning> lostToQuads(const std::vector<io::Part>& given,
     const TriangleMesh& from = given[i].mesh;
     if (!result[i].mesh.isQuads || result[i].mesh.indices.empty()) continue;
     const double unit = checkedUnit(from);
-    TriangleMesh mesh = result[i].mesh;
-    mesh.positions = scaled(std::move(mesh.positions), unit);
-    const double side = std::sqrt(extentOf(mesh).area / (double(mesh.triangleCount()) / 2));
-    const TriangleTree tree(mesh.positions, mesh.indices);
-    const std::size_t step = 1 + from.indices.size() / kMostQuadSamples;
-    for (std::size_t corner = 0; corner < from.indices.size(); corner += step) {
-      const Vec3& p = from.positions[from.indices[corner]];
-      const double distance = std::sqrt(tree.nearest(unit * p).squaredDistance);
-      if (!(distance > farthest * side)) continue;
-      farthest = distance / side;
-      percent = 100 * distance / (unit * extentOf(from).diagonal());
-      where = inWorldOf(given[i], p);
-    }
+    TriangleMesh quads = result[i].mesh;
+    quads.positions = inUnits(std::move(quads.positions), unit);
+    const double side = std::sqrt(extentOf(quads).area / (double(quads.triangleCount()) / 2));
+    const FarthestCorner found = farthestCorner(from, result[i].mesh);
+    const double distance = found.distance * unit;
+    if (!(distance > farthest * side)) continue;
+    farthest = distance / side;
+    percent = 100 * found.distance / extentOf(from).diagonal();
+    where = inWorldOf(given[i], found.at);
   }
   if (!where) return {};
   std::string text = "Part of the shape is lost: near (" + placeInWords(*where, given);
@@ -150,7 +132,7 @@ std::vector<Warning> turnedFromGiven(const std::vector<io::Part>& given,
     const TriangleMesh &from = given[i].mesh, &mesh = result[i].mesh;
     if (!mesh.isQuads || mesh.indices.empty()) continue;
     const double unit = checkedUnit(from);
-    const std::vector<Vec3> positions = scaled(from.positions, unit);
+    const std::vector<Vec3> positions = inUnits(from.positions, unit);
     const TriangleTree tree(positions, from.indices);
     const QuadFacing facing(tree);
     const io::Faces faces(mesh);

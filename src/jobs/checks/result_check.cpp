@@ -9,13 +9,17 @@
 #include <string>
 
 #include "base/legible.h"
+#include "base/place.h"
+#include "geometry/extent.h"
 #include "geometry/mesh_triangle.h"
 #include "geometry/triangle.h"
 #include "geometry/triangle_tree.h"
 #include "jobs/parts/part_places.h"
 #include "measure/mesh_report.h"
+#include "mesh/mesh_builder.h"
 #include "mesh/welding.h"
 #include "remesh/schemes/conformed.h"
+#include "remesh/schemes/shape_comparison.h"
 
 namespace remesher {
 namespace {
@@ -38,6 +42,9 @@ constexpr int kDigits = 4, kMostDigits = 17;
 
 // A coordinate below this share of the parts' size is shown as 0.
 constexpr double kNothing = 1e-6;
+
+// The most corners of a mesh whose distances are measured, evenly among all.
+constexpr std::size_t kMostSampled = 20'000;
 
 std::string number(double x) { return inDigits(x, kDigits); }
 
@@ -158,6 +165,16 @@ std::size_t more(std::size_t after, std::size_t before) {
 
 }  // namespace
 
+double checkedUnit(const TriangleMesh& mesh) {
+  const double size = extentOf(mesh).diagonal();
+  return size > 0 && std::isfinite(size) ? std::ldexp(1.0, -std::ilogb(size)) : 1;
+}
+
+std::vector<Vec3> inUnits(std::vector<Vec3> positions, double unit) {
+  for (Vec3& p : positions) p *= unit;
+  return positions;
+}
+
 std::string placeInWords(const Vec3& p, const std::vector<io::Part>& parts) {
   const CoordinateRange range = rangeOf(parts, Seen::InWorld);
   int digits = kDigits;
@@ -274,30 +291,45 @@ std::vector<Warning> moreThanAsked(const Report& report, const RemeshOptions& op
                                    "."}};
 }
 
+FarthestCorner farthestCorner(const TriangleMesh& given, const TriangleMesh& made) {
+  FarthestCorner farthest;
+  const double unit = checkedUnit(given);
+  const std::vector<Vec3> positions = inUnits(made.positions, unit);
+  const TriangleTree tree(positions, made.indices);
+  const std::size_t step = 1 + given.indices.size() / kMostSampled;
+  for (std::size_t corner = 0; corner < given.indices.size(); corner += step) {
+    const Vec3& p = given.positions[given.indices[corner]];
+    const double distance = std::sqrt(tree.nearest(unit * p).squaredDistance) / unit;
+    if (distance > farthest.distance) farthest = {distance, p};
+  }
+  return farthest;
+}
+
 std::vector<Warning> dentedPart(const Report& report, const PartPairs& parts,
                                 const PartOptions& options) {
-  if (!report.fidelity || report.fidelity->hausdorff <= 100 * kDented || report.output->quads)
-    return {};
-  if (parts.originals.size() != 1 || options.tooFew == TooFew::Raise) return {};
-  const io::Part& part = parts.originals.front();
-  const TriangleMesh& given = part.mesh;
-  const std::size_t enough = fewestConformed(given);
-  if (enough <= report.output->vertices) return {};
-  const TriangleMesh& made = parts.results.front().mesh;
-  const TriangleTree tree(made.positions, made.indices);
-  double farthest = -1;
-  Vec3 where = Vec3::Zero();
-  for (const Index corner : given.indices) {
-    const Vec3& p = given.positions[corner];
-    const double squared = tree.nearest(p).squaredDistance;
-    if (squared > farthest) farthest = squared, where = p;
+  if (!report.fidelity || report.fidelity->hausdorff <= 100 * kDented) return {};
+  if (options.tooFew == TooFew::Raise) return {};
+  std::size_t part = parts.results.size();
+  FarthestCorner farthest;
+  for (std::size_t i = 0; i < parts.results.size(); ++i) {
+    const io::Part& given = parts.originals[i];
+    if (!given.finer.empty() || parts.results[i].mesh.indices.empty()) continue;
+    const FarthestCorner found = farthestCorner(given.mesh, parts.results[i].mesh);
+    const double distance = found.distance * longestOf(given);
+    if (distance > farthest.distance) farthest = {distance, inWorldOf(given, found.at)}, part = i;
   }
-  where = inWorldOf(part, where);
-  return {{"SHAPE_TAKES_MORE",
-           "The part is up to " + number(report.fidelity->hausdorff) +
-               " % of the diagonal away, most near (" + placeInWords(where, parts.originals) +
-               "). As many as " + std::to_string(enough) + " vertices keep its shape.",
-           1, where}};
+  if (part == parts.results.size()) return {};
+  const TriangleMesh &given = parts.originals[part].mesh, &made = parts.results[part].mesh;
+  if (!isFaceted(buildMesh(given))) return {};
+  // Nobody knows how many quads, or vertices between textures, that takes.
+  const std::size_t enough = made.isQuads ? 0 : fewestConformed(given);
+  if (enough > 0 && enough <= countPlaces(made.positions)) return {};
+  std::string text = "The part is up to " + number(report.fidelity->hausdorff);
+  text.append(" % of the diagonal away, most near (");
+  text.append(placeInWords(farthest.at, parts.originals)).append("). ");
+  text.append(enough > 0 ? "As many as " + std::to_string(enough) + " vertices keep"
+                         : std::string("More ") + (made.isQuads ? "quads" : "vertices") + " keep");
+  return {{"SHAPE_TAKES_MORE", text.append(" its shape."), 1, farthest.at}};
 }
 
 std::vector<Warning> resultWarnings(const Report& report, const std::vector<io::Part>& result,

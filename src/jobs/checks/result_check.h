@@ -17,6 +17,11 @@ namespace remesher {
 // origin; a millionth of their size is 0.
 std::string placeInWords(const Vec3& p, const std::vector<io::Part>& parts);
 
+// A power of two that brings a mesh to about unit size: trees compare distances in single
+// precision.
+double checkedUnit(const TriangleMesh& mesh);
+std::vector<Vec3> inUnits(std::vector<Vec3> positions, double unit);
+
 // The report's figures before and after a run.
 struct BeforeAndAfter {
   const MeshReport& before;
@@ -48,8 +53,15 @@ std::vector<Warning> moreThanAsked(const Report& report, const RemeshOptions& op
 // A part is visibly dented from this share of its diagonal on.
 inline constexpr double kDented = 0.01;
 
-// SHAPE_TAKES_MORE, if the only part is made of facets, is dented, and has too few vertices for its
-// shape. Levels of detail are meant to be so.
+// The corner of a given mesh that is farthest from its result, of 20,000 at most.
+struct FarthestCorner {
+  double distance = -1;
+  Vec3 at = Vec3::Zero();
+};
+FarthestCorner farthestCorner(const TriangleMesh& given, const TriangleMesh& made);
+
+// SHAPE_TAKES_MORE, if the result is dented, most where a part is made of facets and has too few
+// vertices or quads for its shape. Levels of detail are meant to be so.
 std::vector<Warning> dentedPart(const Report& report, const PartPairs& parts,
                                 const PartOptions& options);
 

@@ -186,29 +186,40 @@ TEST_CASE("result check: a bound that was asked for and is not kept is said, wit
 }
 
 TEST_CASE("result check: a part of facets that is dented is said, with what its shape takes") {
-  const auto said = [](const TriangleMesh& given, double hausdorff, TooFew tooFew) {
-    const std::vector<io::Part> before = {io::Part{"", given, {}}};
-    const std::vector<io::Part> after = {io::Part{"", shapes::tetrahedron(), {}}};
+  const TriangleMesh box = shapes::cube(2);
+  TriangleMesh made = shapes::tetrahedron();
+  const auto said = [&](const std::vector<TriangleMesh>& given, double hausdorff, TooFew tooFew) {
+    std::vector<io::Part> before, after;
+    for (const TriangleMesh& mesh : given) {
+      before.push_back(io::Part{"", mesh, {}});
+      after.push_back(io::Part{"", before.size() == given.size() ? made : mesh, {}});
+    }
     Report report;
-    report.output = inspectMesh(after[0].mesh);
+    report.output = inspectMesh(made);
     report.fidelity = FidelityReport{hausdorff, 0};
     PartOptions options;
     options.tooFew = tooFew;
-    return dentedPart(report, {before, after, {}}, options);
+    const std::vector<Warning> warnings = dentedPart(report, {before, after, {}}, options);
+    if (warnings.empty()) return std::string();
+    CHECK(warnings[0].code == "SHAPE_TAKES_MORE");
+    CHECK(warnings[0].at.has_value());
+    return warnings[0].message;
   };
-  const TriangleMesh box = shapes::cube(2);
-  const std::vector<Warning> warnings = said(box, 1.5, TooFew::Refuse);
-  REQUIRE(warnings.size() == 1);
-  CHECK(warnings[0].code == "SHAPE_TAKES_MORE");
-  CHECK(warnings[0].message.find("1.5 % of the diagonal") != std::string::npos);
-  CHECK(warnings[0].message.find("As many as 8 vertices") != std::string::npos);
-  REQUIRE(warnings[0].at.has_value());
-  CHECK(said(box, 0.9, TooFew::Refuse).empty());
-  CHECK(said(box, 1.5, TooFew::Raise).empty());
-  CHECK(said(shapes::icosphere(3), 1.5, TooFew::Refuse).empty());
+  const auto has = [](const std::string& text, const char* words) {
+    return text.find(words) != std::string::npos;
+  };
+  const std::string plain = said({box}, 1.5, TooFew::Refuse);
+  CHECK(has(plain, "1.5 % of the diagonal"));
+  CHECK(has(plain, "As many as 8 vertices"));
+  CHECK(said({shapes::icosphere(3), box}, 1.5, TooFew::Refuse) == plain);
+  CHECK(said({box}, 0.9, TooFew::Refuse).empty());
+  CHECK(said({box}, 1.5, TooFew::Raise).empty());
+  CHECK(said({shapes::icosphere(3)}, 1.5, TooFew::Refuse).empty());
   TriangleMesh drawn = box;
   drawn.attributes.push_back({"COLOR_0", 3, std::vector<float>(3 * box.positions.size())});
-  CHECK(said(drawn, 1.5, TooFew::Refuse).empty());
+  CHECK(has(said({drawn}, 1.5, TooFew::Refuse), "More vertices keep its shape."));
+  made.isQuads = true;
+  CHECK(has(said({box}, 1.5, TooFew::Refuse), "More quads keep its shape."));
 }
 
 TEST_CASE("result check: more vertices than asked for of a repaired surface are said, and why") {
