@@ -175,6 +175,18 @@ void joinNear(TriangleMesh& mesh, double distance, std::span<const char> isMovab
   for (Index v = 0; v < first.size(); ++v) mesh.positions[v] = mesh.positions[first[v]];
 }
 
+std::vector<char> openVerticesOf(const TriangleMesh& mesh, const Welding& welding) {
+  std::vector<char> isOpenPlace(mesh.positions.size(), 0);
+  welding.forEachEdge([&](std::span<const Index> edge) {
+    if (edge.size() != 1) return;
+    isOpenPlace[welding.corners[edge[0]]] = 1;
+    isOpenPlace[welding.corners[nextCorner(edge[0])]] = 1;
+  });
+  std::vector<char> isOpen(mesh.positions.size());
+  for (Index v = 0; v < isOpen.size(); ++v) isOpen[v] = isOpenPlace[welding.first[v]];
+  return isOpen;
+}
+
 double diagonalOf(const TriangleMesh& mesh) {
   if (mesh.indices.empty()) return 0;
   const Extents box = extentsOf(mesh);

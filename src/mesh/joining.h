@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/triangle_mesh.h"
+#include "mesh/welding.h"
 
 namespace remesher {
 
@@ -26,6 +27,9 @@ void unifyPlaces(std::vector<Vec3>& positions);
 void joinNear(TriangleMesh& mesh, double distance);
 // The same for some vertices only. isMovable: one per vertex.
 void joinNear(TriangleMesh& mesh, double distance, std::span<const char> isMovable);
+
+// Per vertex whether it lies on an open edge.
+std::vector<char> openVerticesOf(const TriangleMesh& mesh, const Welding& welding);
 
 // The diagonal of the box around all corners of triangles.
 double diagonalOf(const TriangleMesh& mesh);

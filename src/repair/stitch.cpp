@@ -27,19 +27,6 @@ constexpr std::array kWideDistances = {1e-3, 3e-4, 1e-4, 1e-5};
 constexpr double kMostLeftOfWide = 0.1;
 constexpr int kMostPasses = 4;
 
-// Per vertex whether it lies on an open edge.
-std::vector<char> openVerticesOf(const TriangleMesh& mesh, const Welding& welding) {
-  std::vector<char> isOpenPlace(mesh.positions.size(), 0);
-  welding.forEachEdge([&](std::span<const Index> edge) {
-    if (edge.size() != 1) return;
-    isOpenPlace[welding.corners[edge[0]]] = 1;
-    isOpenPlace[welding.corners[nextCorner(edge[0])]] = 1;
-  });
-  std::vector<char> isOpen(mesh.positions.size());
-  for (Index v = 0; v < isOpen.size(); ++v) isOpen[v] = isOpenPlace[welding.first[v]];
-  return isOpen;
-}
-
 class Stitcher {
  public:
   Stitcher(TriangleMesh& mesh, double tolerance)

@@ -136,8 +136,8 @@ export const optionTable = [
     unit: '% of the diagonal', word: 'off', default: 'off',
     help: 'the largest distance allowed between original and result, both ways' },
   { name: 'weld', flag: '--weld P', type: 'number', above: 0, unit: '% of the diagonal',
-    help: 'join places that are nearer to each other; only those that are equal but for rounding '
-      + 'if not given' },
+    help: 'join vertices of open edges that are nearer to each other; only places that are equal '
+      + 'but for rounding if not given' },
   { name: 'quads', flag: '--quads', type: 'boolean', default: false,
     help: 'pure quads instead of triangles, along features and curvature; the number of vertices '
       + 'within 1 %, or within 4 % where a nearer one costs irregular vertices' },

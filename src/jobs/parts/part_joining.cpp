@@ -11,6 +11,7 @@
 #include "jobs/parts/part_lengths.h"
 #include "jobs/parts/part_places.h"
 #include "mesh/joining.h"
+#include "mesh/welding.h"
 
 namespace remesher {
 
@@ -36,10 +37,10 @@ std::vector<io::Part> joinedPlaces(std::vector<io::Part> parts, const PartOption
     requireValid(part.mesh);
     joinNoise(part.mesh);
     const double growth = growthOf(firstPlace(part));
-    if (options.lengths.weld && growth > 0)
-      joinNear(part.mesh, *options.lengths.weld / growth);
-    else if (options.weld)
-      joinNear(part.mesh, *options.weld / 100 * diagonalOf(part.mesh));
+    double near = options.weld.value_or(0) / 100 * diagonalOf(part.mesh);
+    if (options.lengths.weld && growth > 0) near = *options.lengths.weld / growth;
+    // Where the surface is closed nothing is to be joined: a thin wall would become two sheets.
+    if (near > 0) joinNear(part.mesh, near, openVerticesOf(part.mesh, Welding(part.mesh)));
   }
   return parts;
 }

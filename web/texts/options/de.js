@@ -56,8 +56,8 @@ export default {
     + 'die erhalten bleibt',
   'help.boundary': 'Punkte entlang offener Ränder verschieben oder genau so lassen',
   'help.maxError': 'verweigert, was vom Original mehr abwiche',
-  'help.weld': 'fügt Stellen zusammen, die näher beieinander liegen; ohne Angabe nur, was bis auf '
-    + 'Rundung gleich ist',
+  'help.weld': 'fügt Punkte offener Kanten zusammen, die näher beieinander liegen; ohne Angabe '
+    + 'nur, was bis auf Rundung gleich ist',
   'help.quads': 'nur Vierecke statt Dreiecken, entlang von Kanten und Krümmung; die Zahl der '
     + 'Punkte auf 1 % genau',
   'help.exact': 'von Vierecken: genau so viele Punkte',

@@ -57,7 +57,8 @@ export default {
     + 'qui est conservée',
   'help.boundary': 'déplacer les sommets le long des bords ouverts, ou les garder tels quels',
   'help.maxError': 'refuse ce qui s’écarterait davantage de l’original',
-  'help.weld': 'réunit les endroits plus proches ; sinon ce qui ne diffère que par l’arrondi',
+  'help.weld': 'réunit les sommets plus proches des arêtes ouvertes ; sinon ce qui ne diffère que '
+    + 'par l’arrondi',
   'help.quads': 'seulement des quads, suivant arêtes et courbure ; points à 1 % près',
   'help.exact': 'des quads : exactement ce nombre de sommets',
   'help.symmetry': 'des quads : auto : exactement symétriques, si le modèle l’est par un '

@@ -34,6 +34,23 @@ TEST_CASE("part joining: a model of loose triangles gets advice that joins them"
   CHECK(looseTriangles(inspectScaled(whole), whole).empty());
 }
 
+TEST_CASE("part joining: cracks are joined, and walls thinner than the distance stay") {
+  TriangleMesh plate = shapes::cube(4);
+  for (Vec3& p : plate.positions) p.z() *= 0.01;
+  PartOptions options;
+  options.weld = 2;
+  CHECK(joinedPlaces({{"", plate, {}}}, options)[0].mesh.positions == plate.positions);
+  TriangleMesh cracked = plate;
+  for (std::size_t i = 0; i < 3; ++i) {  // a triangle comes off
+    cracked.positions.push_back(plate.positions[plate.indices[i]] + Vec3(0, 0, 1e-3));
+    cracked.indices[i] = Index(plate.positions.size() + i);
+  }
+  CHECK(inspectScaled({{"", cracked, {}}}).boundaryEdges == 6);
+  const MeshReport joined = inspectScaled(joinedPlaces({{"", cracked, {}}}, options));
+  CHECK(joined.boundaryEdges == 0);
+  CHECK(joined.nonManifoldEdges == 0);
+}
+
 TEST_CASE("part joining: triangles that are apart are reported without advice; a lone one is not") {
   io::Part part;
   for (Index i = 0; i < 6; ++i) {
