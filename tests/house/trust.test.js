@@ -193,8 +193,10 @@ test('a jump of the error is noticed unless it is said', () => {
   // Where counts pass over the original's number, those on both sides of it are its neighbours.
   assert.match(lawsOfNeighbours(around(100.5)).join(), /^0.900 % at 102 .* at 101$/);
   const said = runs(0, 0.9);
-  said[1].report.warnings = [{ code: 'TOO_FEW_VERTICES' }];
-  assert.deepEqual(lawsOfNeighbours(said), []);
+  for (const code of ['TOO_FEW_VERTICES', 'SHAPE_TAKES_MORE']) {
+    said[1].report.warnings = [{ code }];
+    assert.deepEqual(lawsOfNeighbours(said), []);
+  }
   const byRule = (...rules) => runs(0, 0.9).map((run, i) =>
     ({ ...run, report: { ...run.report, chosen: { rule: rules[i] } } }));
   assert.deepEqual(lawsOfNeighbours(byRule('isotropic-far-unfinished', 'resampled')), []);

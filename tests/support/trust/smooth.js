@@ -9,7 +9,8 @@ const exact = 1e-6; // % of the diagonal: nothing but rounding
 
 /** Codes of warnings that give a reason for a larger error. */
 const reasons = ['TOO_FEW_VERTICES', 'MAX_ERROR_EXCEEDED', 'SHAPE_LOST_TO_ROUNDING',
-  'SPIKES_LEFT_COARSE', 'JOINTS_RELEASED', 'SHAPE_SIMPLIFIED', 'QUADS_TOO_FEW'];
+  'SPIKES_LEFT_COARSE', 'JOINTS_RELEASED', 'SHAPE_SIMPLIFIED', 'QUADS_TOO_FEW',
+  'SHAPE_TAKES_MORE'];
 
 /** A rule of the report's that another mesh was taken than by the neighbour's rule, and why. */
 const otherMesh = 'resampled';
