@@ -320,7 +320,9 @@ std::vector<Warning> dentedPart(const Report& report, const PartPairs& parts,
   }
   if (part == parts.results.size()) return {};
   const TriangleMesh &given = parts.originals[part].mesh, &made = parts.results[part].mesh;
-  if (!isFaceted(buildMesh(given))) return {};
+  // Quads need not leave a shape that has no more vertices than they have.
+  const bool isCoarse = made.isQuads && countPlaces(given.positions) <= countPlaces(made.positions);
+  if (!isCoarse && !isFaceted(buildMesh(given))) return {};
   // Nobody knows how many quads, or vertices between textures, that takes.
   const std::size_t enough = made.isQuads ? 0 : fewestConformed(given);
   if (enough > 0 && enough <= countPlaces(made.positions)) return {};

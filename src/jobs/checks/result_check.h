@@ -60,8 +60,9 @@ struct FarthestCorner {
 };
 FarthestCorner farthestCorner(const TriangleMesh& given, const TriangleMesh& made);
 
-// SHAPE_TAKES_MORE, if the result is dented, most where a part is made of facets and has too few
-// vertices or quads for its shape. Levels of detail are meant to be so.
+// SHAPE_TAKES_MORE, if the result is dented, most where a part is made of facets, or of no more
+// vertices than its quads, and has too few vertices or quads for its shape. Levels of detail are
+// meant to be so.
 std::vector<Warning> dentedPart(const Report& report, const PartPairs& parts,
                                 const PartOptions& options);
 

@@ -220,6 +220,8 @@ TEST_CASE("result check: a part of facets that is dented is said, with what its 
   CHECK(has(said({drawn}, 1.5, TooFew::Refuse), "More vertices keep its shape."));
   made.isQuads = true;
   CHECK(has(said({box}, 1.5, TooFew::Refuse), "More quads keep its shape."));
+  CHECK(has(said({shapes::tetrahedron()}, 1.5, TooFew::Refuse), "More quads keep its shape."));
+  CHECK(said({shapes::icosphere(3)}, 1.5, TooFew::Refuse).empty());
 }
 
 TEST_CASE("result check: more vertices than asked for of a repaired surface are said, and why") {
