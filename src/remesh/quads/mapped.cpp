@@ -55,9 +55,9 @@ constexpr int kMoreMaps = 24;
 constexpr double kWinding = 0.3;
 constexpr std::size_t kMostClosed = 6;
 // Of these so many are finished, to be compared with the quads before. Corners and distances may be
-// worse by this factor; and corners have at least this sine, or that of the worst one before.
+// worse by these factors; and corners have at least this sine, or that of the worst one before.
 constexpr std::size_t kMostFinished = 3;
-constexpr double kHardlyWorse = 1.05, kSoundSine = 0.45;
+constexpr double kCornersWorse = 1.05, kFarther = 1.1, kSoundSine = 0.45;
 
 // A connected part, and the mesh that its map is made on.
 struct Domain {
@@ -288,8 +288,8 @@ Quality finishedQuality(QuadMesh mesh, const Domain& domain, const OriginalDista
 }
 
 bool isHardlyWorse(const Quality& one, const Quality& other) {
-  return one.meanCosine <= kHardlyWorse * other.meanCosine &&
-         one.distance <= kHardlyWorse * other.distance &&
+  return one.meanCosine <= kCornersWorse * other.meanCosine &&
+         one.distance <= kFarther * other.distance &&
          one.leastSine >= std::min(other.leastSine, kSoundSine);
 }
 
