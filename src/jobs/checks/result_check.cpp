@@ -327,7 +327,7 @@ std::vector<Warning> dentedPart(const Report& report, const PartPairs& parts,
   const std::size_t enough = made.isQuads ? 0 : fewestConformed(given);
   if (enough > 0 && enough <= countPlaces(made.positions)) return {};
   std::string text = "The part is up to " + number(report.fidelity->hausdorff);
-  text.append(" % of the diagonal away, most near (");
+  text.append(" % of the diagonal away, most of all near (");
   text.append(placeInWords(farthest.at, parts.originals)).append("). ");
   text.append(enough > 0 ? "As many as " + std::to_string(enough) + " vertices keep"
                          : std::string("More ") + (made.isQuads ? "quads" : "vertices") + " keep");
