@@ -238,7 +238,7 @@ std::vector<Warning> warningsOfOneSided(const std::vector<io::Part>& parts) {
   const PartFrames scale(parts);
   OneSided all;
   for (const io::Part& part : scale.isNeeded() ? scale.applied(parts) : parts) {
-    const OneSided found = oneSidedOf(part.mesh);
+    const OneSided found = leftOneSided(part.mesh);
     if (all.edges == 0 && found.edges > 0) all.at = inWorld({found.at}, part, scale).front();
     all.edges += found.edges;
   }

@@ -353,11 +353,13 @@ RepairedMesh besideOneSided(RepairedMesh whole, const TriangleMesh& input,
   return result;
 }
 
-// Whether all of it has one side only, and repair leaves it as it is.
-bool staysOneSided(const TriangleMesh& input) {
-  const OneSided found = oneSidedOf(input);
-  if (found.triangles.size() < input.triangleCount()) return false;
-  return !isFlaw(found) || isWorse(withHolesClosed(input, {}), input);
+// Of a surface in canonical order what repair leaves with one side.
+OneSided leftOneSidedOf(const TriangleMesh& ordered) {
+  PartOptions alone;
+  alone.repair = Repair::Auto;
+  const OneSided found = oneSidedOf(ordered);
+  if (!isFlaw(found) || isWorse(repaired(ordered, alone), ordered)) return found;
+  return {};
 }
 
 // Without cracks, and without triangles that have no area: they join nothing once they are cut.
@@ -389,6 +391,8 @@ Repair repairFor(const TriangleMesh& input) {
 
 }  // namespace
 
+OneSided leftOneSided(const TriangleMesh& input) { return leftOneSidedOf(inCanonicalOrder(input)); }
+
 FaultReport faultsOf(const TriangleMesh& input) {
   requireValid(input);
   requireMemory(input, {});
@@ -408,7 +412,8 @@ FaultReport faultsOf(const TriangleMesh& input) {
   if (isSound(diagnosis)) return faults;
   PartOptions alone;
   const TriangleMesh ordered = inCanonicalOrder(input);
-  faults.repair = staysOneSided(ordered) ? Repair::Off : repairFor(ordered);
+  const bool isLeft = leftOneSidedOf(ordered).triangles.size() == ordered.triangleCount();
+  faults.repair = isLeft ? Repair::Off : repairFor(ordered);
   alone.repair = faults.repair;
   if (faults.repair == Repair::Off) return faults;
   if (faults.repair != Repair::Wrap)

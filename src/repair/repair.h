@@ -8,6 +8,7 @@
 #include "base/part_options.h"
 #include "base/report.h"
 #include "base/triangle_mesh.h"
+#include "repair/one_sided.h"
 
 namespace remesher {
 
@@ -35,6 +36,10 @@ std::optional<RepairedMesh> exactBodies(const TriangleMesh& input);
 
 // A corner of each piece of the mesh that stays open when its cracks and holes are closed.
 std::vector<Vec3> openPieces(const TriangleMesh& input);
+
+// Parts with one side only that repair leaves as they are, in canonical order of the mesh: it cuts
+// and closes what is one-sided by a flaw.
+OneSided leftOneSided(const TriangleMesh& input);
 
 // Finds the faults; open loops are in no particular order. Throws the Errors of buildMesh, and
 // OUT_OF_MEMORY as above.
