@@ -86,9 +86,33 @@ void swapHalves(TriangleMesh& mesh, const std::vector<Index>& triangles) {
                      mesh.indices.begin() + std::ptrdiff_t(3 * triangles[i + 1]));
 }
 
+// Together with those that repeat one of them: only the first of these is a face of a piece.
+std::vector<Index> withRepeated(const TriangleMesh& mesh, const BuiltMesh& built,
+                                std::vector<Index> triangles) {
+  if (triangles.empty() || built.triangles.size() == mesh.triangleCount()) return triangles;
+  const std::vector<Index> first = weld(mesh.positions);
+  const auto keyOf = [&](Index t) {
+    std::array<Index, 3> key{};
+    for (std::size_t k = 0; k < 3; ++k) key[k] = first[mesh.indices[3 * std::size_t{t} + k]];
+    std::rotate(key.begin(), std::min_element(key.begin(), key.end()), key.end());
+    return key;
+  };
+  std::vector<std::array<Index, 3>> keys;
+  for (const Index t : triangles) keys.push_back(keyOf(t));
+  std::sort(keys.begin(), keys.end());
+  std::vector<char> isFace(mesh.triangleCount(), 0);
+  for (const Index t : built.triangles.values()) isFace[t] = 1;
+  for (Index t = 0; t < isFace.size(); ++t)
+    if (!isFace[t] && std::binary_search(keys.begin(), keys.end(), keyOf(t)))
+      triangles.push_back(t);
+  std::sort(triangles.begin(), triangles.end());
+  return triangles;
+}
+
 // Turns the pieces that are inside out. Returns their triangles, ascending.
 std::vector<Index> turnPieces(TriangleMesh& mesh, const Diagnosis& diagnosis) {
-  std::vector<Index> triangles = trianglesOf(diagnosis, isInsideOut);
+  const std::vector<Index> triangles =
+      withRepeated(mesh, diagnosis.built, trianglesOf(diagnosis, isInsideOut));
   turnOver(mesh, triangles);
   if (mesh.isQuads) swapHalves(mesh, triangles);
   return triangles;

@@ -17,6 +17,7 @@
 #include "repair/repair.h"
 #include "repair/stitch.h"
 #include "repair/united.h"
+#include "support/hostile_shapes.h"
 #include "support/shapes.h"
 #include "support/soups.h"
 
@@ -142,6 +143,18 @@ TEST_CASE("body_union: many small cards are no debris, and what is given twice i
   const RepairedMesh once = repairedByAuto(twice);
   CHECK(once.report.lost == doctest::Approx(0).epsilon(1e-9));
   CHECK(trianglesAt(once.mesh) == trianglesAt(stem));
+}
+
+TEST_CASE("body_union: a body given several times is one body, however it faces") {
+  const TriangleMesh ball = shapes::icosphere(2), inwards = shapes::turnedOver(ball);
+  for (const TriangleMesh& other : {ball, inwards}) {
+    TriangleMesh both = soups::joined({inwards, other});
+    CHECK(trianglesAt(repairedByAuto(both).mesh) == trianglesAt(ball));
+    both = soups::joined({both, inwards});
+    const RepairedMesh result = repairedByAuto(both);
+    CHECK(trianglesAt(result.mesh) == trianglesAt(ball));
+    CHECK(result.mesh.triangleCount() == ball.triangleCount());
+  }
 }
 
 TEST_CASE("body_union: bodies whose union is not sound do not spoil the others") {
