@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -46,6 +47,16 @@ struct Offer : RankedEdge {
 // boundary. Fixed: where these meet or end.
 enum class Freedom : char { Free, Jump, Seam, Fixed };
 
+// The bodies around a vertex, each once.
+std::vector<Index> bodiesAround(const SimpleSurface& surface, Vertex v) {
+  std::vector<Index> result;
+  surface.mesh.forEachOutgoing(v, [&](Halfedge h) {
+    const Index body = surface.bodies[HalfedgeMesh::face(h)];
+    if (std::find(result.begin(), result.end(), body) == result.end()) result.push_back(body);
+  });
+  return result;
+}
+
 class Simplification {
  public:
   Simplification(SimpleSurface& surface, KeptAttributes* kept, double sideways = kSideways)
@@ -67,14 +78,20 @@ class Simplification {
       if (mesh_.isAlive(Vertex(i))) freedom_[Vertex(i)] = freedomOf(Vertex(i));
     for (Index i = 0; i < surface.held.size(); ++i)
       if (surface.held[Vertex(i)]) freedom_[Vertex(i)] = Freedom::Fixed;
+    for (Index i = 0; i < surface.bodies.size(); ++i)
+      if (mesh_.isAlive(Face(i))) ++trianglesOf_[surface.bodies[Face(i)]];
   }
 
   void run(double leastTurned, std::size_t vertices) {
     leastTurned_ = leastTurned;
     for (Index i = 0; i < mesh_.halfedgeCapacity(); ++i) offer(Halfedge(i));
-    while (mesh_.vertexCount() > vertices && !queue_.empty()) {
+    std::size_t left = countVertices(surface_);
+    while (left > vertices && !queue_.empty()) {
       const Offer offered = queue_.pop();
       if (!isCurrent(offered) || !isLegal(offered.edge) || turns(offered)) continue;
+      const std::size_t fewer = countedAt(offered);
+      if (fewer > left - vertices || endsBody(offered.edge)) continue;
+      left -= fewer;
       costs_.push_back(costs_.empty() ? -offered.key : std::max(-offered.key, costs_.back()));
       collapse(offered);
     }
@@ -102,6 +119,30 @@ class Simplification {
  private:
   // Seen from the centre, so that numbers stay small wherever the model lies.
   Vec3 at(Vertex v) const { return surface_.positions[v] - center_; }
+
+  // How often the vertex counts that goes. More than can be where the other vertex lacks one of its
+  // bodies: that body would come to a place where it has not been.
+  std::size_t countedAt(const Offer& offered) const {
+    if (surface_.bodies.size() == 0) return 1;
+    const std::vector<Index> gone = bodiesAround(surface_, offered.from),
+                             there = bodiesAround(surface_, offered.to);
+    const bool isThere = std::all_of(gone.begin(), gone.end(), [&](Index body) {
+      return std::find(there.begin(), there.end(), body) != there.end();
+    });
+    return isThere ? gone.size() : std::numeric_limits<std::size_t>::max();
+  }
+
+  // Whether the triangles at an edge are all that a body has.
+  bool endsBody(Halfedge h) const {
+    if (surface_.bodies.size() == 0) return false;
+    const Index own = surface_.bodies[HalfedgeMesh::face(h)];
+    const Halfedge t = mesh_.twin(h);
+    if (!t) return trianglesOf_.at(own) <= 1;
+    const Index other = surface_.bodies[HalfedgeMesh::face(t)];
+    if (own == other) return trianglesOf_.at(own) <= 2;
+    return std::min(trianglesOf_.at(own), trianglesOf_.at(other)) <= 1;
+  }
+
   bool isSeam(Halfedge h) const { return mesh_.isBoundary(h) || surface_.seams[h]; }
 
   void addFace(Face f) {
@@ -288,6 +329,7 @@ class Simplification {
     const Quadric gone = quadrics_[offered.from];
     for (const Halfedge side : {h, mesh_.twin(h)}) {
       if (!side) continue;
+      if (surface_.bodies.size() > 0) --trianglesOf_[surface_.bodies[HalfedgeMesh::face(side)]];
       const Halfedge second = HalfedgeMesh::next(side), third = HalfedgeMesh::prev(side);
       const char seam = std::max(surface_.seams[second], surface_.seams[third]);
       for (const Halfedge edge : {second, third})
@@ -381,9 +423,18 @@ class Simplification {
   EdgeHeap<Offer> queue_;
   std::vector<Halfedge> around_;
   std::vector<double> costs_;
+  std::map<Index, std::size_t> trianglesOf_;  // per body
 };
 
 }  // namespace
+
+std::size_t countVertices(const SimpleSurface& surface) {
+  if (surface.bodies.size() == 0) return surface.mesh.vertexCount();
+  std::size_t count = 0;
+  for (Index i = 0; i < surface.mesh.vertexCapacity(); ++i)
+    if (surface.mesh.isAlive(Vertex(i))) count += bodiesAround(surface, Vertex(i)).size();
+  return count;
+}
 
 void simplify(SimpleSurface& surface, std::size_t vertices, KeptAttributes* kept) {
   Simplification simplification(surface, kept);

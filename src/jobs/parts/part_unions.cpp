@@ -229,6 +229,7 @@ std::vector<RemeshOutcome> PartUnions::parted(std::size_t surface, RemeshOutcome
     part.mesh = own.mesh(original, before, whole->groups[k]);
     part.places = own.places(whole->triangles[k], original.instances.front());
     part.stopped = outcome.stopped;
+    part.prefer = outcome.prefer;
     part.chosen = outcome.chosen;
     part.vertices = countPlaces(part.mesh.positions);
     result.push_back(std::move(part));

@@ -135,11 +135,21 @@ VertexData<char> atJoints(const BuiltMesh& built) {
 // The original as the simplifier takes it, with the attributes that its vertices keep; baked
 // textures need none.
 struct Beginning {
-  Beginning(const BuiltMesh& original, const TriangleMesh& input, Textures textures)
+  Beginning(const BuiltMesh& original, const TriangleMesh& input, Textures textures,
+            std::span<const Index> bodies = {})
       : surface{original.mesh, original.positions, seamsOf(original, input, textures)},
         attributes(attributesAsLengths(original, input)),
         keepsLook(textures != Textures::Bake) {
     if (original.keepsJoints) surface.held = atJoints(original);
+    if (bodies.empty()) return;
+    surface.bodies.resize(original.mesh.faceCapacity(), kNone);
+    for (Index f = 0; f < original.mesh.faceCapacity(); ++f)
+      if (original.mesh.isAlive(Face(f)))
+        surface.bodies[Face(f)] = bodies[groupOf(input, original.triangles[Face(f)])];
+  }
+
+  std::size_t positions() const {
+    return distinctPositions(surface.mesh, surface.positions, surface.bodies);
   }
 
   KeptAttributes* kept() { return keepsLook && attributes.itemSize > 0 ? &attributes : nullptr; }
@@ -181,6 +191,27 @@ std::size_t distinctPositions(const HalfedgeMesh& mesh, const VertexData<Vec3>& 
   for (Index i = 0; i < mesh.vertexCapacity(); ++i)
     if (mesh.isAlive(Vertex(i))) places.push_back(positions[Vertex(i)]);
   return countPlaces(places);
+}
+
+std::size_t distinctPositions(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
+                              const FaceData<Index>& bodies) {
+  if (bodies.size() == 0) return distinctPositions(mesh, positions);
+  std::vector<std::pair<Index, Index>> visits;  // pairs of body and vertex
+  for (Index f = 0; f < mesh.faceCapacity(); ++f)
+    if (mesh.isAlive(Face(f)))
+      for (const Vertex v : mesh.vertices(Face(f))) visits.emplace_back(bodies[Face(f)], v.index);
+  std::sort(visits.begin(), visits.end());
+  visits.erase(std::unique(visits.begin(), visits.end()), visits.end());
+  std::size_t count = 0;
+  std::vector<Vec3> places;
+  for (auto visit = visits.begin(); visit != visits.end();) {
+    const Index body = visit->first;
+    places.clear();
+    for (; visit != visits.end() && visit->first == body; ++visit)
+      places.push_back(positions[Vertex(visit->second)]);
+    count += countPlaces(places);
+  }
+  return count;
 }
 
 bool hasDegenerate(const TriangleMesh& mesh) {
@@ -237,19 +268,19 @@ std::vector<double> followCosts(const BuiltMesh& original, const TriangleMesh& i
 
 std::optional<Followed> follow(const BuiltMesh& original, const TriangleMesh& input,
                                std::size_t positions, const FollowRule& rule) {
-  std::size_t now = distinctPositions(original.mesh, original.positions);
-  Beginning begin(original, input, rule.textures);
+  Beginning begin(original, input, rule.textures, rule.bodies);
+  std::size_t now = begin.positions();
   if (now < positions) return {};
   if (now == positions && !begin.keepsLook && !rule.mayBeOriginal) return {};
   SimpleSurface& surface = begin.surface;
   KeptAttributes* const kept = begin.kept();
   // A collapse takes one position at most, and none if other vertices share it.
   do {
-    const std::size_t before = surface.mesh.vertexCount();
+    const std::size_t before = countVertices(surface);
     simplify(surface, before - (now - positions), kept);
-    const bool isStuck = now > positions && surface.mesh.vertexCount() == before;
+    const bool isStuck = now > positions && countVertices(surface) == before;
     if (isStuck && rule.tooFew != TooFew::Raise) return {};
-    now = distinctPositions(surface.mesh, surface.positions);
+    now = begin.positions();
     if (isStuck) break;
   } while (now > positions);
   Followed result = Extraction(surface, original, input, kept, !begin.keepsLook).run();

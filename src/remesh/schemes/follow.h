@@ -5,6 +5,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "base/input_place.h"
@@ -19,6 +20,10 @@ namespace remesher {
 // The number of distinct vertex positions: below the number of vertices where the builder cut the
 // input apart.
 std::size_t distinctPositions(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions);
+
+// The same; a position counts once in every body that has it. bodies: per face.
+std::size_t distinctPositions(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
+                              const FaceData<Index>& bodies);
 
 // How far a surface is from another, over its samples.
 struct Away {
@@ -47,7 +52,8 @@ bool isWorthFollowing(const BuiltMesh& original, std::size_t positions);
 struct FollowRule {
   Textures textures;           // kept, so that vertices stay where they are, or baked anew
   bool mayBeOriginal = false;  // if nothing is to go and textures are baked: the original, or none
-  TooFew tooFew = TooFew::Refuse;  // if no further vertex can go: none, or the mesh by then
+  TooFew tooFew = TooFew::Refuse;      // if no further vertex can go: none, or the mesh by then
+  std::span<const Index> bodies = {};  // per input group its body; each counts its own positions
 };
 
 // A mesh with exactly so many distinct positions. None if the original has fewer.

@@ -177,7 +177,7 @@ class SurfaceCandidates {
         mayFollow_(mayFollow(options)),
         plan_(planRun(input, std::move(welding), options, progress)),
         vertices_(plan_.vertices),
-        isRefined_(vertices_ > plan_.built.mesh.vertexCount()) {}
+        isRefined_(options.bodies.empty() && vertices_ > plan_.built.mesh.vertexCount()) {}
 
   RemeshOutcome chosen() {
     const Rule& rule = choose(Decision::Surface,
@@ -188,11 +188,12 @@ class SurfaceCandidates {
   }
 
  private:
-  bool isOfRequest(Fact fact) const {
+  bool isOfRequest(Fact fact) {
     if (fact == Fact::RoundsAsked) return options_.scheme == Scheme::Rounds;
     if (fact == Fact::IsotropicAsked) return options_.prefer == Prefer::Even;
     if (fact == Fact::ShapeAsked) return options_.prefer == Prefer::Shape;
-    if (fact == Fact::VerticesPlaced) return !mayFollow_;
+    if (fact == Fact::VerticesPlaced)
+      return !mayFollow_ || (!options_.bodies.empty() && !isSimplified());
     return fact == Fact::MoreThanInput && isRefined_;
   }
 
@@ -237,15 +238,15 @@ class SurfaceCandidates {
     // Where the shape is asked for, no other candidate is nearer or has fewer vertices.
     const bool isAsked = options_.prefer == Prefer::Shape;
     if (!simplified_)
-      simplified_ =
-          follow(plan_.built, input_, vertices_,
-                 {options_.textures, isAsked, isAsked ? options_.tooFew : TooFew::Refuse});
+      simplified_ = follow(plan_.built, input_, options_.inBodies.value_or(Index(vertices_)),
+                           {options_.textures, isAsked, isAsked ? options_.tooFew : TooFew::Refuse,
+                            options_.bodies});
     return simplified_->has_value();
   }
 
   bool areFacetsMeshed() {
     if (!conformed_)
-      conformed_ = isFaceted(plan_.built)
+      conformed_ = options_.bodies.empty() && isFaceted(plan_.built)
                        ? conformed(plan_.built, input_, vertices_, options_.textures,
                                    {0, options_.longestOfFacets})
                        : std::nullopt;
@@ -262,7 +263,8 @@ class SurfaceCandidates {
   // If it may have to be made within a bound, it takes half of the progress.
   Isotropic& isotropic() {
     if (prepared().isMade()) return *isotropic_;
-    ShapeComparison* const comparison = mayFollow_ ? &isotropic_->comparison() : nullptr;
+    const bool isCompared = mayFollow_ && options_.bodies.empty();
+    ShapeComparison* const comparison = isCompared ? &isotropic_->comparison() : nullptr;
     const bool mayRefine = comparison && comparison->refinesFlatSides();
     isotropic_->make(crossings_, comparison, mayRefine ? progress_.part(0, kHalf) : progress_);
     return *isotropic_;
@@ -329,10 +331,9 @@ RemeshOutcome chosenQuads(const TriangleMesh& input, const Welding& welding,
 
 bool mayFollow(const PartOptions& options) {
   return options.prefer != Prefer::Even && options.scheme == Scheme::Best &&
-         options.density.empty() && options.featureEdges.empty() && options.bodies.empty() &&
-         !options.maxError && !wantsOfEach(options) && !options.splitObtuse &&
-         options.boundary == Boundary::Resample &&
-         (!isRemade(options.repair) || options.prefer == Prefer::Shape);
+         options.density.empty() && options.featureEdges.empty() && !options.maxError &&
+         !wantsOfEach(options) && !options.splitObtuse && options.boundary == Boundary::Resample &&
+         ((options.bodies.empty() && !isRemade(options.repair)) || options.prefer == Prefer::Shape);
 }
 
 RemeshOutcome remeshSurface(const TriangleMesh& input, Welding welding, const PartOptions& options,

@@ -14,15 +14,18 @@ using namespace remesher;
 
 namespace {
 
-// A tile of the ground of so many cells, from x on.
-TriangleMesh tile(double x, int cells) {
+// A tile of the ground of so many cells, from x on; a strip has one row of them across its width.
+TriangleMesh strip(double x, int cells, double width) {
+  const int across = width < 1 ? 1 : cells;
   TriangleMesh mesh;
-  shapes::addSheet(mesh, cells, cells, [&](int column, int row) {
-    const double u = x + double(column) / cells, v = double(row) / cells;
+  shapes::addSheet(mesh, across, cells, [&](int column, int row) {
+    const double u = x + width * column / across, v = double(row) / cells;
     return Vec3(u, v, 0.2 * std::sin(3 * u) * std::cos(5 * v));
   });
   return mesh;
 }
+
+TriangleMesh tile(double x, int cells) { return strip(x, cells, 1); }
 
 Transform somewhere() {
   Transform place = Transform::Identity();
@@ -69,6 +72,39 @@ TEST_CASE("part_unions: tiles that meet still do, wherever each is kept") {
       const std::vector<Vec3> a = seamOf(result.meshes[0], Transform::Identity());
       const std::vector<Vec3> b = seamOf(result.meshes[1], place);
       CHECK(a.size() > 2);
+      REQUIRE(a.size() == b.size());
+      for (std::size_t i = 0; i < a.size(); ++i) CHECK((a[i] - b[i]).norm() < 1e-12);
+    }
+  }
+}
+
+TEST_CASE("part_unions: where the shape is preferred, tiles are simplified and still meet") {
+  // A narrow tile, which most of a budget would leave without triangles, between two wide ones.
+  io::Part left = partAt(tile(0, 20), Transform::Identity());
+  const io::Part right = partAt(tile(1, 20), somewhere());
+  const io::Part narrow = partAt(strip(2, 20, 0.01), Transform::Identity());
+  Attribute texcoords{"TEXCOORD_0", 2, {}};
+  for (const Vec3& p : left.mesh.positions)
+    texcoords.values.insert(texcoords.values.end(), {float(p.x()), float(p.y())});
+  for (const bool isTextured : {false, true}) {
+    if (isTextured) left.mesh.attributes.push_back(texcoords);
+    for (const Index count : {40U, 81U, 300U, 701U}) {
+      PartOptions options;
+      options.vertices = count;
+      options.prefer = Prefer::Shape;
+      const RemeshSceneResult result = remeshScene({{left.mesh, left.instances},
+                                                    {right.mesh, right.instances},
+                                                    {narrow.mesh, narrow.instances}},
+                                                   options, {});
+      CAPTURE(count);
+      CHECK(result.report.output->vertices == count);
+      for (std::size_t i = 0; i < 3; ++i) {
+        CHECK(result.report.prefer[i] == Prefer::Shape);
+        CHECK(result.meshes[i].triangleCount() > 0);
+      }
+      const std::vector<Vec3> a = seamOf(result.meshes[0], Transform::Identity());
+      const std::vector<Vec3> b = seamOf(result.meshes[1], somewhere());
+      CHECK(a.size() >= 2);
       REQUIRE(a.size() == b.size());
       for (std::size_t i = 0; i < a.size(); ++i) CHECK((a[i] - b[i]).norm() < 1e-12);
     }
