@@ -9,7 +9,7 @@ import { checkOptions, isWorthBaking, optionTable, presets } from 'remesher/opti
 import { parseCommandLine } from '../../dist/cli/cli_arguments.js';
 import { reportInWords } from '../../dist/cli/report_in_words.js';
 import { rejectsWith } from '../support/errors.js';
-import { GltfMaker } from '../support/gltf.js';
+import { GltfMaker, openGltf, validate, valuesOf } from '../support/gltf.js';
 import { png } from '../support/png.js';
 import { offText, sheet, sheetOf, torus } from '../support/shapes.js';
 
@@ -108,6 +108,44 @@ test('a model within the budget keeps its textures and triangles, and so do leav
   assert.equal((await stoodFor(maker('MASK', 1), 300)).report.preset.textures, undefined);
   assert.equal((await stoodFor(maker('OPAQUE', 1), 50)).report.preset.textures, 'bake');
   assert.equal((await stoodFor(maker('OPAQUE', 2), 5000)).report.preset.textures, 'bake');
+});
+
+test('images that the preset asset keeps become WebP where that is lighter', async () => {
+  const wave = (c) => 99 + Math.round(50 * Math.sin(c / 9));
+  const pictures = [png(128, 128, (x, y) => [x, y, (x + y) / 2].map(wave)),
+    png(1, 1, () => [9, 9, 9])];
+  const made = new GltfMaker();
+  Object.assign(made.tree, {
+    images: pictures.map((bytes) =>
+      ({ bufferView: made.addView(bytes), mimeType: 'image/png' })),
+    textures: [{ source: 0 }, { source: 1 }],
+    materials: [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 } },
+      emissiveTexture: { index: 1 } }],
+  });
+  const given = made.show([{ attributes: {
+    POSITION: made.add(Float32Array.from(ring.positions), 'VEC3'),
+    TEXCOORD_0: made.add(new Float32Array(ring.positions.length / 3 * 2), 'VEC2'),
+  }, indices: made.addIndices(ring.indices), material: 0 }]).glb().bytes;
+  const asked = { name: 'ring.glb', preset: 'asset', faces: 5000 };
+  const imagesIn = ({ bytes }) => {
+    const { tree, data } = openGltf({ bytes });
+    return tree.images.map(({ bufferView }) => {
+      const { byteOffset = 0, byteLength } = tree.bufferViews[bufferView];
+      return Buffer.from(data.subarray(byteOffset, byteOffset + byteLength));
+    });
+  };
+  const kept = await remeshFile(given, { ...asked, textures: 'keep' });
+  pictures.forEach((bytes, i) => assert.ok(imagesIn(kept)[i].equals(bytes), 'asked for'));
+  const lighter = await remeshFile(given, asked);
+  assert.deepEqual(await validate(lighter), []);
+  assert.deepEqual(lighter.report.textures.map(({ type }) => type), ['image/webp', 'image/png']);
+  assert.ok(imagesIn(lighter)[1].equals(Buffer.from(pictures[1])), 'hardly becomes smaller');
+  assert.ok(lighter.bytes.length < kept.bytes.length);
+  const [one, other] = [kept, lighter].map(({ bytes }) => openGltf({ bytes }));
+  assert.deepEqual(other.tree.textures.map(({ source }) => source), [undefined, 1]);
+  for (const accessor of one.tree.accessors.keys()) {
+    assert.deepEqual(valuesOf(other, accessor), valuesOf(one, accessor), 'geometry stays');
+  }
 });
 
 test('materials of one kind are baked to one; with light and without are two kinds', () => {

@@ -17,7 +17,7 @@
 export const presets = [
   { name: 'asset', help: 'a generated or scanned model for a scene, a game or AR: without '
     + 'floaters, small holes closed, vertices where shape and looks need them, new '
-    + 'textures in one set, compressed if the input was',
+    + 'textures in one set or its own as WebP, compressed if the input was',
   values: { repair: 'holes', holesUpTo: 3, keepRims: true, dropBelow: 'auto', prefer: 'shape',
     textures: 'bake', textureFormat: 'webp', compress: 'auto' } },
   { name: 'print', help: 'a closed body for printing, within 0.2 % of the diagonal',

@@ -9,7 +9,7 @@ import { legible } from '../base/legible.js';
 import { inModelUnits, unitOf } from '../base/lengths.js';
 import { blocksOfPieces } from '../base/pieces.js';
 import {
-  compressionOf, namesGltf, withoutVainBaking, withPresetSettled,
+  compressionOf, makesImagesLighter, namesGltf, withoutVainBaking, withPresetSettled,
 } from './preset_job.js';
 import { toTheEnd } from './whole_progress.js';
 
@@ -388,6 +388,10 @@ export class Engine {
     if (bare) {
       settled = bare;
       made = await this.#painted(withLengthsSettled(settled), atTheEnd(onProgress));
+    }
+    if (made.files && makesImagesLighter(job, settled)) {
+      const { withLighterImages } = await import('../textures/lighter_images.js');
+      made = { ...made, files: await withLighterImages(made.files, this.#codecs) };
     }
     const outcome = withUnitSaid(settled, withPresetSaid(settled, made));
     if (!outcome.files) return withTexturesListed(outcome, settled);

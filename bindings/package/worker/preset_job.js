@@ -40,6 +40,13 @@ export async function withoutVainBaking(job, { report }) {
   return wasFileBakedInVain(job.file.bytes, report.fidelity) ? { ...job, options } : undefined;
 }
 
+/** Whether the images that a result keeps may become WebP: a preset has chosen it for new ones.
+ * @param {Job} given @param {Job} settled as it was run */
+export function makesImagesLighter(given, settled) {
+  return 'options' in given && 'options' in settled && settled.options.textures !== 'bake'
+    && Object(given.options.preset).textureFormat === 'webp';
+}
+
 /** How the result's glTF is to be compressed: as it came, if that was asked for.
  * @param {Job} job as it was given @returns {Promise<'meshopt' | 'draco' | undefined>} */
 export async function compressionOf(job) {
