@@ -167,6 +167,8 @@ test('what is not a mesh is refused before it travels', async () => {
   await rejectsWith(remesh({ positions, indices: [0, 1, 2] }), 'INVALID_MESH', /Uint32Array/);
   await rejectsWith(remesh({ positions: positions.slice(1), indices }), 'INVALID_MESH', /143/);
   await rejectsWith(remesh({ positions, indices: indices.slice(1) }), 'INVALID_MESH', /287/);
+  await rejectsWith(remesh({ positions, indices, group: new Uint32Array(96) }), 'INVALID_MESH',
+    /mesh\.group is not known/);
   const attributes = { NORMAL: { array: new Float32Array(3), itemSize: 3 } };
   await rejectsWith(remesh({ positions, indices, attributes }), 'INVALID_MESH', /NORMAL.*144/);
 });

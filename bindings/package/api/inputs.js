@@ -6,6 +6,7 @@ import { abortError, RemeshError } from '../base/errors.js';
 import { bytesAsked, bytesLooked, isLeftToCore } from '../base/contents.js';
 import { withoutGz } from '../base/formats.js';
 import { legible } from '../base/legible.js';
+import { nearest } from '../base/nearest.js';
 import { OpenFile } from '../base/open_file.js';
 import { Pieces } from '../base/pieces.js';
 
@@ -36,6 +37,15 @@ import { Pieces } from '../base/pieces.js';
 /** @param {string} message @param {string} [hint] @returns {never} */
 function refuseMesh(message, hint) {
   throw new RemeshError('INVALID_MESH', message, hint);
+}
+
+/** Fields of a caller's own are left alone, but not one that was probably meant to be one of ours.
+ * @param {object} given @param {readonly string[]} known its fields @param {string} label */
+function refuseMisspelt(given, known, label) {
+  for (const name of Object.keys(given)) {
+    const meant = known.includes(name) ? undefined : nearest(name, known);
+    if (meant) refuseMesh(`${label}.${legible(name)} is not known.`, `Did you mean ${meant}?`);
+  }
 }
 
 /** @param {unknown} value */
@@ -77,6 +87,7 @@ export function copyMesh(mesh) {
   if (indices.length % 3 !== 0) {
     refuseMesh(`mesh.indices has ${indices.length} numbers, which is not a multiple of 3.`);
   }
+  refuseMisspelt(mesh, ['positions', 'indices', 'attributes', 'groups', 'quads'], 'mesh');
   return {
     positions: copyArray(positions, 'mesh.positions'),
     indices: copyArray(indices, 'mesh.indices'),
@@ -126,6 +137,7 @@ export function copyScene(parts) {
     refuseMesh('The scene must be a list of { mesh, places } with at least one mesh.');
   }
   return parts.map((part, i) => {
+    refuseMisspelt(Object(part), ['mesh', 'places', 'finer'], `parts[${i}]`);
     if (!Array.isArray(part?.places ?? [])) {
       refuseMesh(`parts[${i}].places must be a list of matrices.`);
     }
