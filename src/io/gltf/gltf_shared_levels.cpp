@@ -8,8 +8,9 @@
 namespace remesher::io {
 namespace {
 
-// Of a level's vertices, at least so many times fewer than all may be its own.
-constexpr std::size_t kFewOwn = 4;
+// Of the levels' vertices, one in so many may be their own: with more than that, those that they
+// share would be fewer than those.
+constexpr std::size_t kFewOwn = 2;
 
 bool areAlike(const TriangleMesh& a, const TriangleMesh& b) {
   return a.isQuads == b.isQuads &&

@@ -11,8 +11,8 @@
 namespace remesher::io {
 
 // The finest level and the coarser ones as one mesh on one set of vertices; the groups of level k
-// are raised by k times `groups`, which is the number of groups of one level. None if the levels
-// have many vertices of their own.
+// are raised by k times `groups`, which is the number of groups of one level. None if more than
+// half of the levels' vertices are their own.
 std::optional<TriangleMesh> sharedLevels(const TriangleMesh& finest,
                                          const std::vector<TriangleMesh>& levels, Index groups);
 
