@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "jobs/parts/part_joining.h"
@@ -83,7 +84,7 @@ TEST_CASE(
     io::Part part = shownTetrahedron(size);
     const Vec3 first = part.mesh.positions[0];
     part.mesh.positions.push_back(first + Vec3(1e-3, 0, 0));  // a millionth at the smallest place
-    part.mesh.indices.insert(part.mesh.indices.end(), {4, 1, 2});
+    std::replace(part.mesh.indices.begin(), part.mesh.indices.begin() + 3, Index(0), Index(4));
     PartOptions options;
     options.lengths.weld = 0.002 * size;
     CHECK(joinedPlaces({part}, options)[0].mesh.positions[4] == first);
