@@ -158,7 +158,7 @@ RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
     model.sharesNodes = options.conform;
     PartOptions chosen = prepared.options();
     if (mending.isRemade() && isPainted && io::canHold(outputName, io::kHoldsImages))
-      chosen = withPaint(std::move(chosen), model);
+      chosen = chooseBaking(std::move(chosen), model);
     const Progress body = stretch.part(mended, 1);
     std::vector<SceneRun> all;
     if (input.slabs.only > 0)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A file mended, and no more.
+// Repairs a file without remeshing it.
 #include <cctype>
 #include <string>
 #include <utility>
@@ -26,7 +26,8 @@ std::string extensionOf(const std::string& name) {
   return extension;
 }
 
-// Whether the file as it is may be the result: in the same format, all in one file.
+// Whether the input file, unchanged, can be the result: in the same format, without files beside
+// it, and with nothing mended in reading.
 bool mayStay(const FileBundle& input, const std::string& outputName, const io::Model& model) {
   return extensionOf(input.file.name) == extensionOf(outputName) && input.resources.empty() &&
          !io::isMended(model.warnings);
@@ -37,7 +38,7 @@ bool mayStay(const FileBundle& input, const std::string& outputName, const io::M
 RemeshFileResult repairFile(const FileBundle& input, const std::string& outputName,
                             const RemeshOptions& asked, const Progress& progress) {
   io::requireWritable(outputName);
-  constexpr double kPainted = 0.6;  // the share of the run before painting
+  constexpr double kBeforePainting = 0.6;  // the share of a run that paints
   PhaseClock clock;
   const Progress whole = progress.timedBy(clock);
   whole.phase("read", 0, kReadShare);
@@ -50,20 +51,22 @@ RemeshFileResult repairFile(const FileBundle& input, const std::string& outputNa
     io::uniteAll(model, outputName);
   else
     io::unite(model, outputName);
-  model.isExact = true;  // a repaired surface must not intersect itself for any reader
+  model.isExact = true;  // text keeps all digits: rounded, the surface could intersect itself
   const bool stays = mayStay(input, outputName, model);
   const IfSound ifSound = stays ? IfSound::FileStays : IfSound::IsRounded;
+  const bool mayPaint = !input.pictures.empty() && io::canHold(outputName, io::kHoldsImages);
+  const Progress own = whole.part(kReadShare, mayPaint ? kBeforePainting : 1);
   RepairedParts repaired = inFile(input.file.name, [&] {
-    return repairOnly(model.parts, heldIn(outputName), ifSound, options, whole.part(kReadShare, 1));
+    return repairOnly(model.parts, heldIn(outputName), ifSound, options, own);
   });
   model.leftOut = repaired.leftOut;
   model.polygons += repaired.quadsCut;
   Report& report = repaired.report;
-  const bool mayPaint = !input.pictures.empty() && io::canHold(outputName, io::kHoldsImages);
-  const PartOptions painting = repaired.isRemade && mayPaint ? withPaint(options, model) : options;
+  const PartOptions painting =
+      repaired.isRemade && mayPaint ? chooseBaking(options, model) : options;
   if (painting.textures == Textures::Bake)
     inFile(input.file.name, [&] {
-      paintRepaired(model, {{}, input.pictures}, painting, whole.part(kPainted, 1));
+      paintRepaired(model, {{}, input.pictures}, painting, whole.part(kBeforePainting, 1));
     });
   whole.phase("write", 1, 1);
   const bool keepsLook = painting.textures == Textures::Auto || painting.textures == Textures::Keep;

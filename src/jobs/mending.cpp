@@ -51,7 +51,7 @@ bool isByInput(const PartOptions& options) {
          (options.ratio || !options.maxError);
 }
 
-// What will be written in single precision is rounded first, so that rounding cannot undo a repair.
+// Rounds to single precision what will be written so, so that rounding cannot undo the repair.
 void roundToSingle(std::vector<io::Part>& parts) {
   for (io::Part& part : parts)
     for (Vec3& p : part.mesh.positions)
@@ -65,7 +65,7 @@ std::size_t crossingsWithin(const std::vector<io::Part>& parts) {
   return count;
 }
 
-// Self-intersections of the result itself, in the report and in its warning.
+// Counts the self-intersections of the result anew, for the report and its warning.
 void recountCrossings(Report& report, const std::vector<io::Part>& result) {
   const std::size_t count = crossingsWithin(result);
   report.repair->selfIntersections[1] = count;
@@ -76,7 +76,7 @@ void recountCrossings(Report& report, const std::vector<io::Part>& result) {
     if (warning.code == "CROSSINGS_LEFT") warning.count = count;
 }
 
-// Those between parts of the result, in its warning. Such as remeshing makes have another one.
+// Renews PARTS_MEET for the result. Intersections that remeshing made have a warning of their own.
 void recountMeeting(Report& report, const std::vector<io::Part>& result) {
   const auto ofMeeting = [](const Warning& warning) { return warning.code == "PARTS_MEET"; };
   const auto said = std::find_if(report.warnings.begin(), report.warnings.end(), ofMeeting);
@@ -98,8 +98,9 @@ std::vector<Warning> damageIn(const Report& report, const std::vector<io::Part>&
   return warnings;
 }
 
-// Whether joining and rounding have joined only what was equal to the last bit.
-bool joinsNothing(const TriangleMesh& given, const TriangleMesh& joined) {
+// Whether the vertices that share a place after joining and rounding were equal, bit for bit, as
+// given.
+bool joinsOnlyEqual(const TriangleMesh& given, const TriangleMesh& joined) {
   const std::vector<Index> first = weld(joined.positions);
   if (given.positions.size() != first.size()) return false;
   for (Index v = 0; v < first.size(); ++v)
@@ -107,12 +108,12 @@ bool joinsNothing(const TriangleMesh& given, const TriangleMesh& joined) {
   return true;
 }
 
-// A surface that is sound only since its places were joined was not given as it is.
+// If the surface is sound only because vertices were joined, the reason is "joined", not "sound".
 void sayJoined(Report& report, const std::vector<io::Part>& given,
                const std::vector<io::Part>& originals) {
   if (!report.repair || report.repair->reason != "sound") return;
   for (std::size_t i = 0; i < given.size(); ++i)
-    if (!joinsNothing(given[i].mesh, originals[i].mesh)) report.repair->reason = "joined";
+    if (!joinsOnlyEqual(given[i].mesh, originals[i].mesh)) report.repair->reason = "joined";
   if (report.repair->reason == "joined")
     report.warnings = mergedByCode(std::move(report.warnings), placesRounded(given));
 }
@@ -140,7 +141,7 @@ Mending::Mending(std::vector<io::Part>& parts, const PartOptions& options, const
   if (!leavesOut(options)) requireRoomToRepair(parts);
   input_ = inspectScaled(parts);
   if (leavesOut(options)) dropped_.emplace();
-  // A remesher rounds at its end, and makes the same mesh for every format.
+  // Only here: remeshing rounds at the end, so that all formats get the same mesh.
   if (purpose == Purpose::Itself) roundToSingle(parts);
   withinMemory([&] {
     dropPieces(parts, options);
@@ -169,7 +170,8 @@ void Mending::repair(std::vector<io::Part>& parts, const PartOptions& options,
   parts = std::move(repair_->parts);
   if (!isSized) return;
   const std::size_t mended = inspectScaled(parts).vertices;
-  // A smallest angle finds the number itself where the surface is still the input's.
+  // With a smallest angle, and triangles that no lattice replaced, the number is searched for
+  // later.
   const bool isFound = leadsByAngle(options) && !isRemade();
   if (mended > 0 && (options.ratio || (mended != given.vertices && !isFound)))
     ratio_ = target / double(mended);
@@ -231,7 +233,7 @@ void Mending::note(SceneRun& run, Held held) const {
   recountMeeting(run.report, run.parts);
 }
 
-PartOptions withPaint(PartOptions options, io::Model& model) {
+PartOptions chooseBaking(PartOptions options, io::Model& model) {
   if (options.textures != Textures::Auto || model.conventions != io::Conventions::Gltf)
     return options;
   options.textures = Textures::Bake;
@@ -254,14 +256,15 @@ RepairedParts repairOnly(std::vector<io::Part>& parts, Held held, IfSound ifSoun
   const std::vector<io::Part> originals = parts;
   const Mending mending(parts, options, progress, Mending::Purpose::Itself);
   const std::vector<io::Part> left = mending.kept(originals), asGiven = mending.kept(given);
-  std::vector<io::Part> begun = left;  // as repair began with them
-  roundToSingle(begun);
-  bool isRounded = false;  // whether rounding moved a vertex, or is undone
+  std::vector<io::Part> rounded = left;  // what repair started from
+  roundToSingle(rounded);
+  bool isRounded =
+      false;  // whether the vertices differ from those that repair counted crossings on
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const TriangleMesh& own = asGiven[i].mesh;
-    if (ifSound == IfSound::FileStays && haveSameContent(parts[i].mesh, begun[i].mesh) &&
-        joinsNothing(own, begun[i].mesh)) {
-      isRounded = isRounded || !haveSameContent(own, begun[i].mesh);
+    if (ifSound == IfSound::FileStays && haveSameContent(parts[i].mesh, rounded[i].mesh) &&
+        joinsOnlyEqual(own, rounded[i].mesh)) {
+      isRounded = isRounded || !haveSameContent(own, rounded[i].mesh);
       parts[i].mesh = own;
       continue;
     }
@@ -281,7 +284,7 @@ RepairedParts repairOnly(std::vector<io::Part>& parts, Held held, IfSound ifSoun
     if (parts.size() > 1 && !isSurface(part.mesh))
       report.warnings =
           mergedByCode(std::move(report.warnings), {passedOn(part, "No triangle has an area.")});
-  // Parts that lost pieces or went are not as they were given.
+  // False as soon as a part was removed or lost pieces.
   bool isUnchanged = parts.size() == given.size();
   std::size_t quadsCut = 0;
   for (std::size_t i = 0, p = 0; i < given.size(); ++i) {

@@ -86,9 +86,6 @@ RepairedParts repairOnly(std::vector<io::Part>& parts, Held held, IfSound ifSoun
 
 // Sets textures to be baked if the options leave it open and repair has made another surface
 // (more than closed holes), because charts may end anywhere on it. Adds a warning to the model.
-PartOptions withPaint(PartOptions options, io::Model& model);
-
-// The parts that are not gone.
-std::vector<io::Part> without(std::vector<io::Part> parts, const std::vector<char>& isGone);
+PartOptions chooseBaking(PartOptions options, io::Model& model);
 
 }  // namespace remesher
