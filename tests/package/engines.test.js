@@ -22,7 +22,7 @@ const files = { arrays: 'remesher_arrays.wasm', whole: 'remesher.wasm' };
 const pathOf = (/** @type {string} */ file) => join(root, 'dist', file);
 
 // In kB, with brotli, as servers send them: what is promised, and no more.
-const largest = { arrays: 328, whole: 872 };
+const largest = { arrays: 329, whole: 873 };
 
 for (const [engine, file] of Object.entries(files)) {
   test(`${file} is as small as is promised`, () => {
