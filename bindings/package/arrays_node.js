@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// remesher/arrays in Node. arrays.js documents its functions, and their types.
+// remesher/arrays in Node. Functions and types are documented in arrays.js.
 
 import { ArraysApi } from './api/arrays_api.js';
 import * as platform from './platform_node.js';

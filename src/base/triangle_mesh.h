@@ -61,7 +61,8 @@ bool haveSameAttributes(const TriangleMesh& mesh, Index v, Index w);
 bool haveSameAttributes(const TriangleMesh& mesh, Index v, Index w,
                         bool (*isCompared)(std::string_view semantic));
 
-// Whether coordinates, triangles, groups and attributes are equal, in the same order.
+// Whether coordinates, triangles, groups and attributes are equal, in the same order; not whether
+// they are quads.
 bool haveSameContent(const TriangleMesh& a, const TriangleMesh& b);
 
 // Appends the value that a vertex has in `from`, an attribute of as many numbers.

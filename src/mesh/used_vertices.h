@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Vertices that no triangle has: programs that walk around each vertex fail at them, and boxes
-// around the mesh grow by those far away.
+// Removes vertices that no triangle uses: programs that walk around every vertex fail at them, and
+// far ones enlarge the bounding box.
 #pragma once
 
 #include "base/triangle_mesh.h"

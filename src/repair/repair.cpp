@@ -12,20 +12,17 @@
 #include "base/fires.h"
 #include "base/place.h"
 #include "geometry/extent.h"
-#include "geometry/triangle.h"
-#include "geometry/triangle_meeting.h"
 #include "measure/mesh_report.h"
 #include "measure/self_intersections.h"
 #include "mesh/given_order.h"
 #include "mesh/joining.h"
-#include "mesh/used_vertices.h"
+#include "mesh/submesh.h"
 #include "repair/body_union.h"
 #include "repair/diagnosis.h"
 #include "repair/exact_repair.h"
 #include "repair/findings.h"
 #include "repair/fineness.h"
 #include "repair/holes/close_holes.h"
-#include "repair/holes/turn_over.h"
 #include "repair/ladder.h"
 #include "repair/one_sided.h"
 #include "repair/solid/solid.h"
@@ -82,25 +79,27 @@ RepairedMesh solidified(Solid solid, const TriangleMesh& input, const PartOption
   return asRepaired(std::move(solid), input, ruleFor(input, options, InsideBy::Enclosure));
 }
 
-// Whether the surface bounds bodies: then all half lines agree at most points beside the surface,
-// and hardly any visible surface is lost. Assemblies of bodies, also inside out, have 0 % unsure
-// and below 1 % lost; an open sheet has 80 % and 56 %.
+// Whether the surface bounds bodies: beside a body nearly all half lines agree which side is
+// inside, beside an open sheet most do not; and a lattice of bodies loses hardly any visible
+// surface.
 bool isClear(const Enclosure& enclosure) {
   return enclosure.unsure < ladder::kMostUnsure && enclosure.lost < ladder::kMostLost &&
          enclosure.isAny;
 }
 
-// Triangles that intersect others, but for those of cards: flat open pieces of several triangles.
-double countCrossed(const Diagnosis& diagnosis) {
+// How many triangles intersect others, without those of cards (flat open pieces of several
+// triangles).
+std::size_t countCrossed(const Diagnosis& diagnosis) {
   const std::vector<Index> cards = trianglesOf(diagnosis, isCard);
   std::size_t crossed = 0;
   for (const Index t : diagnosis.crossings)
     crossed += std::size_t(!std::binary_search(cards.begin(), cards.end(), t));
-  return double(crossed);
+  return crossed;
 }
 
 // The lattice of a repair alone. What is decided on it does not depend on how many vertices the
-// surface gets afterwards: else a thin strip is a body for one number and a sheet for the next.
+// surface gets afterwards: otherwise a thin strip is a body for one number and a sheet for the
+// next.
 SolidRule ruleOfRepairAlone(const TriangleMesh& input, const PartOptions& options) {
   PartOptions alone;
   alone.gap = options.gap;
@@ -109,10 +108,11 @@ SolidRule ruleOfRepairAlone(const TriangleMesh& input, const PartOptions& option
 }
 
 // Whether hardly anything but sheets is there, such as cards or a terrain: open pieces that are
-// seen from both sides. Triangles that share no edges, or most of which intersect others, are none.
+// seen from both sides. Loose triangles, and surfaces most of whose triangles intersect others, do
+// not count as sheets.
 bool isOfSheets(const TriangleMesh& input, const PartOptions& options) {
   const Diagnosis diagnosis = diagnose(input);
-  const double crossed = countCrossed(diagnosis);
+  const double crossed = double(countCrossed(diagnosis));
   if (isLoose(input) || crossed > ladder::kMostSheetsCrossed * double(input.triangleCount()) ||
       openShare(diagnosis) < ladder::kNearlyAllSheets)
     return false;
@@ -120,7 +120,7 @@ bool isOfSheets(const TriangleMesh& input, const PartOptions& options) {
   return enclosureOf(input, rule).sheetShare > ladder::kNearlyAllSheets;
 }
 
-RepairedMesh because(const char* reason, RepairedMesh result) {
+RepairedMesh withReason(const char* reason, RepairedMesh result) {
   result.report.reason = reason;
   return result;
 }
@@ -143,26 +143,26 @@ const char* reasonOf(const ExactRepair& exact) {
   }
 }
 
-// The lattice, for what has no exact outside.
-RepairedMesh remade(const TriangleMesh& input, const PartOptions& options) {
+// What exact repair cannot decide: bodies from a lattice, sheets left as they are, or a wrap.
+RepairedMesh remadeOrLeft(const TriangleMesh& input, const PartOptions& options) {
   std::optional<SolidGround> ground(std::in_place, input,
                                     ruleFor(input, options, InsideBy::Enclosure));
   fires("repair: lattice, since there is no exact outside");
   if (isClear(ground->enclosure())) {
     fires("repair: bodies made by a lattice");
-    return because("enclosed", solidified(ground->solid(), input, options));
+    return withReason("enclosed", solidified(ground->solid(), input, options));
   }
   ground.reset();  // a wrap takes as much memory again
   if (isOfSheets(input, options)) {
     fires("repair: sheets left as they are");
-    return because("sheets", asRepaired(leftAlone(input), "holes"));
+    return withReason("sheets", asRepaired(leftAlone(input), "holes"));
   }
   fires("repair: wrapped");
-  return because("open", wrapped(input, options));
+  return withReason("open", wrapped(input, options));
 }
 
-// Says what was asked for and cannot be had of a surface that a lattice made, or of one left alone.
-RepairedMesh withBroken(const PartOptions& options, RepairedMesh result) {
+// Warns of options that a lattice's surface, or one left alone, does not fulfil.
+RepairedMesh withUnmetOptions(const PartOptions& options, RepairedMesh result) {
   if (options.keepRims && result.isRemade)
     addWarning(result, {"RIMS_NOT_KEPT",
                         "The surface was made anew by a lattice, which leaves no loop open."});
@@ -183,7 +183,8 @@ PartOptions forPart(const TriangleMesh& part, const TriangleMesh& all, PartOptio
   return options;
 }
 
-// The report of both; what the second says of the first one's sheets and loops stays.
+// Adds the second report to the first: losses by area, shells and triangles turned. The counts of
+// loops and sheets stay the first one's, and the places of losses become the second one's.
 void addReport(RepairedMesh& result, const RepairedMesh& rest, double restShare) {
   RepairReport& sum = result.report;
   sum.lost = (1 - restShare) * sum.lost + restShare * rest.report.lost;
@@ -197,14 +198,15 @@ void addReport(RepairedMesh& result, const RepairedMesh& rest, double restShare)
   result.warnings.insert(result.warnings.end(), rest.warnings.begin(), rest.warnings.end());
 }
 
-// Says of a mesh made of two what intersects, also one the other.
+// Warns of all self-intersections of a mesh joined from two, including those between the two.
 void warnOfAllCrossings(RepairedMesh& result, const std::vector<Index>& crossings) {
   std::erase_if(result.warnings,
                 [](const PlacedWarning& own) { return own.warning.code == "CROSSINGS_LEFT"; });
   warnOfCrossings(result, crossings);
 }
 
-// Per triangle its positions by number, the first of them first; sorted.
+// The triangles as welded vertex numbers, each rotated so that its smallest number comes first;
+// sorted.
 std::vector<std::array<Index, 3>> sortedTriangles(std::span<const Index> corners,
                                                   const std::vector<Index>& positionOf) {
   std::vector<std::array<Index, 3>> triangles;
@@ -233,7 +235,7 @@ bool haveSameTriangles(const TriangleMesh& one, const TriangleMesh& other) {
 // were. None if both cannot be united.
 std::optional<RepairedMesh> withRest(RepairedMesh result, const TriangleMesh& rest,
                                      const TriangleMesh& input, const PartOptions& options) {
-  RepairedMesh made = remade(rest, forPart(rest, input, options));
+  RepairedMesh made = remadeOrLeft(rest, forPart(rest, input, options));
   const double decided = areaOfAll(result.mesh), undecided = areaOfAll(rest);
   addReport(result, made, undecided / (decided + undecided));
   result.report.lostBeyond = made.report.lostBeyond * diagonalOf(rest) / diagonalOf(input);
@@ -259,8 +261,8 @@ std::optional<RepairedMesh> withRest(RepairedMesh result, const TriangleMesh& re
   addWarning(
       result,
       {"REMADE_IN_PART",
-       "Triangles of bodies without an exact outside were replaced by a lattice's surface. All "
-       "others are as they were, or mended exactly.",
+       "Bodies whose outside could not be found exactly were rebuilt on a lattice. All other "
+       "triangles are as they were, or were repaired exactly.",
        rest.triangleCount()},
       centreOfFirst(rest, {0}));
   warnOfAllCrossings(result, joined->crossings);
@@ -270,18 +272,18 @@ std::optional<RepairedMesh> withRest(RepairedMesh result, const TriangleMesh& re
 RepairedMesh automatic(const TriangleMesh& input, const PartOptions& options) {
   std::optional<ExactRepair> exact = exactlyRepaired(
       input, {loopRule(input, options, ladder::kMostDisk), bodyRule(input, options)});
-  if (!exact) return withBroken(options, remade(input, options));
+  if (!exact) return withUnmetOptions(options, remadeOrLeft(input, options));
   if (!options.cavities) fillCavities(*exact, Filled::Made);
   const TriangleMesh rest = std::move(exact->undecided);
   // Which sheets are left out is decided by the lattice around everything.
   if (!rest.indices.empty() && options.sheets == Sheets::Drop)
-    return withBroken(options, remade(input, options));
+    return withUnmetOptions(options, remadeOrLeft(input, options));
   const char* const reason = reasonOf(*exact);
   const char* const mode = modeOf(*exact);
-  RepairedMesh result = because(reason, asRepaired(std::move(*exact), mode));
+  RepairedMesh result = withReason(reason, asRepaired(std::move(*exact), mode));
   if (rest.indices.empty()) return result;
   std::optional<RepairedMesh> whole = withRest(std::move(result), rest, input, options);
-  return withBroken(options, whole ? std::move(*whole) : remade(input, options));
+  return withUnmetOptions(options, whole ? std::move(*whole) : remadeOrLeft(input, options));
 }
 
 // The exact steps where they decide everything.
@@ -305,18 +307,19 @@ RepairedMesh repaired(const TriangleMesh& input, const PartOptions& options) {
   const char* const asked = "asked";
   switch (options.repair) {
     case Repair::Holes:
-      return because(asked, withHolesClosed(input, options));
+      return withReason(asked, withHolesClosed(input, options));
     case Repair::Solid:
-      return because(asked, solid(input, options));
+      return withReason(asked, solid(input, options));
     case Repair::Wrap:
-      return because(asked, wrapped(input, options));
+      return withReason(asked, wrapped(input, options));
     default:
       return automatic(input, options);
   }
 }
 
-// Whether it has faults that the input lacks, is as open, or has one side still.
-bool isWorse(const RepairedMesh& result, const TriangleMesh& input) {
+// Whether repair has not helped: the result has more self-intersections or non-manifold edges than
+// the input, is open and no less so, or still has one side only.
+bool failsToMend(const RepairedMesh& result, const TriangleMesh& input) {
   const MeshReport before = inspectMesh(input), after = inspectMesh(result.mesh);
   return result.report.selfIntersections[1] > result.report.selfIntersections[0] ||
          after.nonManifoldEdges > before.nonManifoldEdges ||
@@ -324,24 +327,25 @@ bool isWorse(const RepairedMesh& result, const TriangleMesh& input) {
          oneSidedOf(result.mesh).edges > 0;
 }
 
-// Where a scan is torn some edges may make it one-sided: these are cut open and closed. The seam of
-// a strip or a bottle is long for its number of triangles.
+// Whether only a tear makes the part one-sided, so that cutting its few edges open and closing them
+// mends it. The seam of a Möbius strip or a Klein bottle grows with the square root of the number
+// of triangles.
 bool isFlaw(const OneSided& found) {
-  constexpr std::size_t kLong = 50;
-  return kLong * found.edges * found.edges < found.triangles.size();
+  constexpr std::size_t kTrianglesPerSquare = 50;
+  return kTrianglesPerSquare * found.edges * found.edges < found.triangles.size();
 }
 
 // Parts with one side only have no outside: but for flaws that repair mends they stay as they are.
-RepairedMesh besideOneSided(RepairedMesh whole, const TriangleMesh& input,
-                            const PartOptions& options) {
+RepairedMesh keepingOneSided(RepairedMesh whole, const TriangleMesh& input,
+                             const PartOptions& options) {
   const OneSided found = oneSidedOf(input);
-  if (found.edges == 0 || (isFlaw(found) && !isWorse(whole, input))) return whole;
+  if (found.edges == 0 || (isFlaw(found) && !failsToMend(whole, input))) return whole;
   fires("repair: surface of one side left as it is");
   std::vector<Index> marks(input.triangleCount(), 0);
   for (const Index t : found.triangles) marks[t] = 1;
   ExactRepair kept = leftAlone(selected(input, marks, 1).mesh);
   kept.sheetsAt.clear();
-  RepairedMesh result = because("sheets", asRepaired(std::move(kept), "holes"));
+  RepairedMesh result = withReason("sheets", asRepaired(std::move(kept), "holes"));
   if (found.triangles.size() < input.triangleCount()) {
     const TriangleMesh oneSided = std::move(result.mesh);
     result = repaired(selected(input, marks, 0).mesh, options);
@@ -358,11 +362,12 @@ OneSided leftOneSidedOf(const TriangleMesh& ordered) {
   PartOptions alone;
   alone.repair = Repair::Auto;
   const OneSided found = oneSidedOf(ordered);
-  if (!isFlaw(found) || isWorse(repaired(ordered, alone), ordered)) return found;
+  if (!isFlaw(found) || failsToMend(repaired(ordered, alone), ordered)) return found;
   return {};
 }
 
-// Without cracks, and without triangles that have no area: they join nothing once they are cut.
+// With cracks and T-junctions stitched, and without triangles whose corners are on a line: what
+// such a triangle joined, the cuts at T-junctions join instead.
 TriangleMesh stitched(const TriangleMesh& input) {
   TriangleMesh mesh = atOnePosition(input);
   if (countUnbalancedEdges(mesh) > 0) weldOpenVertices(mesh);
@@ -370,8 +375,8 @@ TriangleMesh stitched(const TriangleMesh& input) {
   return mesh;
 }
 
-// Which repair `auto` alone would choose, by the same analysis, without the work of the lattice's
-// surface. Off where it would leave all as it is, as sheets.
+// The repair that `auto` would choose with default options, without building the lattice's surface.
+// Off where all would be left as sheets.
 Repair repairFor(const TriangleMesh& input) {
   const PartOptions alone;
   std::optional<ExactRepair> exact =
@@ -431,7 +436,7 @@ std::optional<RepairedMesh> exactBodies(const TriangleMesh& input) {
   const bool isSound = exact->way == ExactRepair::Way::Unchanged;
   if (!isSound && countUnbalancedEdges(exact->mesh) > 0) return std::nullopt;
   const char* const reason = reasonOf(*exact);
-  return because(reason, asRepaired(std::move(*exact), "solid"));
+  return withReason(reason, asRepaired(std::move(*exact), "solid"));
 }
 
 std::vector<Vec3> openPieces(const TriangleMesh& input) {
@@ -449,9 +454,9 @@ RepairedMesh repairSurface(const TriangleMesh& input, const PartOptions& options
   const TriangleMesh ordered = inCanonicalOrder(input);
   RepairedMesh result = repaired(ordered, options);
   const bool makesThick = options.repair == Repair::Auto && options.thickness && !options.base;
-  const bool isExact = options.repair == Repair::Holes || options.repair == Repair::Auto;
-  if (isExact && !makesThick && result.report.reason != "sound")
-    result = besideOneSided(std::move(result), ordered, options);
+  const bool mayLeaveOneSided = options.repair == Repair::Holes || options.repair == Repair::Auto;
+  if (mayLeaveOneSided && !makesThick && result.report.reason != "sound")
+    result = keepingOneSided(std::move(result), ordered, options);
   if (result.isRemade) {
     result.report.selfIntersections[0] = selfIntersections(input).size();
     // A body of a few triangles, thinner than single precision tells, may come out inside out.

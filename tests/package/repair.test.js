@@ -265,7 +265,7 @@ test('the report says that bodies which touch along edges stay as they are', asy
   const mesh = { positions: new Float32Array([0, 0, 0, 0, 0, 1, 1, 0, 0, 1, 1, 0, -1, 0, 0,
     -1, -1, 0]), indices: new Uint32Array(tetrahedra.flatMap(([a, b, c, d]) => [a, c, b, a, b, d,
     b, c, d, a, d, c])) };
-  const words = /nothing (is|was) to be repaired: bodies that touch along 1 edge stay as they are/;
+  const words = /nothing (needs|needed) repair: bodies that touch along 1 edge stay as they are/;
   assert.match(reportInWords((await repair(mesh)).report), words);
   assert.match(reportInWords(await inspect(mesh, { faults: true })), words);
 });
@@ -301,7 +301,7 @@ test('places that differ only by rounding become one, as an inspection says befo
   assert.match(said, /\n {2}places that differ only by rounding are to be made one: 1\n/);
   const { mesh: made, report } = await repair(mesh);
   assert.equal(report.repair.reason, 'joined');
-  assert.match(reportInWords(report), /repair: nearly equal places were made one;/);
+  assert.match(reportInWords(report), /repair: nearly equal positions were merged;/);
   const again = await inspect(made, { faults: true });
   assert.ok(!again.warnings.some(({ code }) => code === 'PLACES_JOINED'));
 });

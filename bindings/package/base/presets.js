@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The only table of presets: options for a purpose, for the command line, JavaScript and the page. No
-// preset sets a target: that is the caller's.
+// The only table of presets: options for a purpose, for the command line, JavaScript and the page.
+// No preset sets a number of vertices or faces, or an edge length: that is the caller's.
 
 /** @typedef {'asset' | 'print' | 'simulation' | 'quads' | 'accurate'} PresetName */
 

@@ -196,7 +196,7 @@ function cureInWords({ faults: { repair, openLoops }, input: { nonManifoldEdges 
   if (repair === 'off' && openLoops.length === 0) {
     const rounded = warnings.find((/** @type {any} */ { code }) => code === 'PLACES_JOINED');
     const cure = rounded
-      ? `places that differ only by rounding are to be made one: ${rounded.count}` : cures.off;
+      ? `places that differ only by rounding are to be made one: ${rounded.count}` : suggestions.off;
     return `${cure}${touching(nonManifoldEdges)}`;
   }
   return repair === 'off' ? 'nothing needs repair: sheets enclose '

@@ -340,7 +340,7 @@ std::size_t addPaintings(Json& tree, const Model& model) {
   return first;
 }
 
-std::set<int> dropUnusedImages(Json& tree) {
+std::set<int> dropUnusedLooks(Json& tree) {
   if (mayHideReferences(tree, Named::Look)) return {};
   keepUsed(tree, "materials", [&](const Visitor& v) { forEachMaterialNumber(tree, v); });
   keepUsed(tree, "textures", [&](const Visitor& v) {

@@ -21,9 +21,9 @@ Json plainMaterial(Material material);
 // images refer to the model's images as `painting:n`.
 std::size_t addPaintings(Json& tree, const Model& model);
 
-// Drops the materials, textures and images that nothing uses any more. If an unknown extension
-// might name one by number, all stay, with their numbers. Returns the buffer views that only
-// dropped images used.
-std::set<int> dropUnusedImages(Json& tree);
+// Drops the materials, textures, samplers and images that nothing uses any more. If an unknown
+// extension might name one by number, all stay, with their numbers. Returns the buffer views that
+// only dropped images used.
+std::set<int> dropUnusedLooks(Json& tree);
 
 }  // namespace remesher::io

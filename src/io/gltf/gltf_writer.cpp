@@ -332,7 +332,7 @@ WrittenFiles writeDocument(const GltfDocument& document, const Model& model,
   Abandoned abandoned = abandonedBy(editor, document);
   if (isPainted) {
     dropUnusedVariants(editor.tree());
-    abandoned.bufferViews = dropUnusedImages(editor.tree());
+    abandoned.bufferViews = dropUnusedLooks(editor.tree());
   }
   settleDeclarations(document.tree, editor.tree());
   if (container == Container::Binary && before == Container::Text) embedImages(editor, document);

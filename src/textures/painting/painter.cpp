@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <numeric>
+#include <span>
+#include <vector>
 
 #include "textures/painting/cage_finder.h"
 #include "textures/painting/occlusion.h"
@@ -17,24 +20,24 @@ namespace {
 
 // Points per texel along a side.
 constexpr double kFewest = 2, kMost = 8;
-// If the original's texels are finer by at most this factor (two per new texel), one look-up mixes
-// them well enough, because it interpolates between four texels.
+// If the original's texels are finer by at most this factor along a side (two of them per new one),
+// one look-up mixes them well enough, because it interpolates between four texels.
 constexpr double kAlike = std::numbers::sqrt2;
 // Up to this factor two looks on a texel's diagonal suffice: over all texels they are the corners
 // and middles of squares, no farther apart than kAlike allows. With a factor of 2 they would see
-// only one color of a chequerboard.
+// only one colour of a chequerboard.
 constexpr double kDiagonal = 1.9;
 
 // The sum of the looks at the points of a texel.
 struct Mixture {
   Eigen::Vector4d baseColor = Eigen::Vector4d::Zero();
-  Vec3 weighted = Vec3::Zero();  // colours times alpha
+  Vec3 colourByAlpha = Vec3::Zero();
   Vec3 emissive = Vec3::Zero(), surface = Vec3::Zero(), normal = Vec3::Zero();
   int count = 0;
 
   void add(const Look& look, int points) {
     baseColor += points * look.baseColor;
-    weighted += points * look.baseColor[3] * look.baseColor.head<3>();
+    colourByAlpha += points * look.baseColor[3] * look.baseColor.head<3>();
     emissive += points * look.emissive;
     surface += points * look.surface;
     normal += points * look.normal;
@@ -42,8 +45,8 @@ struct Mixture {
   }
 };
 
-// A vector that depends linearly on the texel coordinates.
-struct Sheet {
+// A vector that is an affine function of the texel coordinates.
+struct AffineVector {
   Vec2 from;
   Vec3 there, perX, perY;
 
@@ -53,8 +56,8 @@ struct Sheet {
   }
 };
 
-// The sheet with these values at the corners.
-Sheet sheetOf(const TexelTriangle& plane, const std::array<Vec3, 3>& values) {
+// The affine vector with these values at the corners.
+AffineVector affineOf(const TexelTriangle& plane, const std::array<Vec3, 3>& values) {
   const auto at = [&](const Vec2& texel) -> Vec3 {
     const Vec3 weights = weightsAt(plane, texel);
     return weights[0] * values[0] + weights[1] * values[1] + weights[2] * values[2];
@@ -160,11 +163,11 @@ class Painter {
     finder_->enter(
         {{c[0].position, c[1].position, c[2].position}, {c[0].place, c[1].place, c[2].place}});
     outline_ = RimmedTriangle(plane_[t], triangle_->rims);
-    points_ = sheetOf(plane_[t], {c[0].position, c[1].position, c[2].position});
-    facings_ = sheetOf(plane_[t], {c[0].facing, c[1].facing, c[2].facing});
-    normals_ = sheetOf(plane_[t], {c[0].normal, c[1].normal, c[2].normal});
-    tangents_ = sheetOf(plane_[t],
-                        {c[0].tangent.head<3>(), c[1].tangent.head<3>(), c[2].tangent.head<3>()});
+    points_ = affineOf(plane_[t], {c[0].position, c[1].position, c[2].position});
+    facings_ = affineOf(plane_[t], {c[0].facing, c[1].facing, c[2].facing});
+    normals_ = affineOf(plane_[t], {c[0].normal, c[1].normal, c[2].normal});
+    tangents_ = affineOf(plane_[t],
+                         {c[0].tangent.head<3>(), c[1].tangent.head<3>(), c[2].tangent.head<3>()});
   }
 
   Mixture mixtureAt(std::size_t texel) {
@@ -174,7 +177,7 @@ class Painter {
     Mixture mixture;
     const bool isAlike = rules_.finer <= kAlike;
     for (std::size_t i = 0, end = 0; i < places_.size(); i = end) {
-      end = isAlike || rules_.isOpaque ? endOfTriangle(i) : i + 1;
+      end = isAlike || rules_.isOpaque ? groupByTriangle(i) : i + 1;
       std::span<const InputPlace> here(&places_[i], end - i);
       const InputPlace middle = middleOf(here);
       if (isAlike) here = {&middle, 1};
@@ -183,9 +186,9 @@ class Painter {
     return mixture;
   }
 
-  // Groups the places on the same triangle as places_[first] behind it; returns the end of the
+  // Moves the places on the same triangle as places_[first] next to it; returns the end of the
   // group.
-  std::size_t endOfTriangle(std::size_t first) {
+  std::size_t groupByTriangle(std::size_t first) {
     std::size_t end = first + 1;
     for (std::size_t k = end; k < places_.size(); ++k)
       if (places_[k].triangle == places_[first].triangle) std::swap(places_[k], places_[end++]);
@@ -208,8 +211,8 @@ class Painter {
     }
   }
 
-  // The same, computed from the place of the texel's middle, if all points are inside the rims and
-  // on one triangle. Most texels are, and a search is slow.
+  // Fills places_ from the place of the texel's middle alone, without a search; false unless all
+  // points are inside the rims and on one triangle, as those of most texels are.
   bool findTogether(const Vec2& corner) {
     const auto isCutOff = [&](const Vec2& offset) {
       const Vec2 point = corner + offset;
@@ -244,7 +247,7 @@ class Painter {
     const double share = 1.0 / mixture.count;
     const double alpha = share * mixture.baseColor[3];
     Vec3 color = share * mixture.baseColor.head<3>();
-    if (!rules_.isOpaque && alpha > 0) color = mixture.weighted / mixture.baseColor[3];
+    if (!rules_.isOpaque && alpha > 0) color = mixture.colourByAlpha / mixture.baseColor[3];
     const Vec3 normal = written(mixture.normal.normalized());
     for (std::size_t c = 0; c < 3; ++c) {
       const auto k = Eigen::Index(c);
@@ -254,11 +257,11 @@ class Painter {
       result_.normal.texels[4 * texel + c] = byteOf(0.5 + 0.5 * normal[k]);
     }
     if (!rules_.isOpaque) result_.baseColor.texels[4 * texel + 3] = byteOf(alpha);
-    if (rules_.occludes) occlude(texel);
+    if (rules_.occludes) noteOpenness(texel);
   }
 
   // Notes the texel's openness, at the first of its places.
-  void occlude(std::size_t texel) {
+  void noteOpenness(std::size_t texel) {
     const InputPlace& place = places_.front();
     const Vec3 at = source_->position(place), normal = source_->shadingNormal(place);
     const Vec2 corner = cornerOf(texel);
@@ -268,7 +271,7 @@ class Painter {
                     at.cast<float>(), normal.cast<float>()};
   }
 
-  // Of occlusion from the material and by the shape, the darker one counts.
+  // The darker of the material's occlusion and the shape's counts.
   void darken() {
     if (open_.empty()) return;
     const std::vector<float> means = meansOver(open_, owners_, rules_.size);
@@ -294,7 +297,7 @@ class Painter {
   const PaintSource* source_ = nullptr;
   PaintFinder* finder_ = nullptr;
   RimmedTriangle outline_;
-  Sheet points_, facings_, normals_, tangents_;
+  AffineVector points_, facings_, normals_, tangents_;
   // The texel being painted.
   Vec2 middle_ = Vec2::Zero();
   std::vector<InputPlace> places_;

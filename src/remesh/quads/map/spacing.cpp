@@ -17,9 +17,9 @@ int quartersOf(const MapInput& input, Halfedge h) {
 // The length of a curve edge in the map, along the direction of the cross that follows it.
 IntegerSum lengthOf(const MapInput& input, const SeamlessSystem& system, Halfedge h) {
   const int quarters = quartersOf(input, h);
-  const IntegerSum gone =
+  const IntegerSum covered =
       plus(system.corner(HalfedgeMesh::next(h))[quarters % 2], system.corner(h)[quarters % 2], -1);
-  return quarters < 2 ? gone : plus({}, gone, -1);
+  return quarters < 2 ? covered : plus({}, covered, -1);
 }
 
 // The edge of the same chain that goes on where h ends.
@@ -31,11 +31,12 @@ Halfedge nextOnChain(const WorkingMesh& mesh, Halfedge h) {
   return next;
 }
 
+// Whether only integer variables occur: sums ascend, and reals are numbered before integers.
 bool isWholeSum(const IntegerSum& sum, const SeamlessSystem& system) {
   return sum.empty() || sum.front().first >= system.realCount();
 }
 
-// Adds the length of each part of a curve between two neighboring places with integer coordinates.
+// Adds the length of each part of a curve between two neighbouring places with integer coordinates.
 void addCurves(std::set<IntegerSum>& lengths, const MapInput& input, const SeamlessSystem& system) {
   for (Index i = 0; i < input.mesh.mesh().halfedgeCapacity(); ++i) {
     Halfedge h(i);
@@ -51,8 +52,8 @@ void addCurves(std::set<IntegerSum>& lengths, const MapInput& input, const Seaml
   }
 }
 
-// Adds the length of each edge along every direction of the cross that takes at least `kAlong` of
-// it.
+// Adds, of each edge whose length along a direction of the cross is a sum of integers, that length,
+// if the edge runs within 60° of the direction.
 void addEdges(std::set<IntegerSum>& lengths, const MapInput& input, const SeamlessSystem& system) {
   constexpr double kAlong = 0.5;  // of the edge's length
   for (Index i = 0; i < input.mesh.mesh().halfedgeCapacity(); ++i) {
@@ -61,9 +62,9 @@ void addEdges(std::set<IntegerSum>& lengths, const MapInput& input, const Seamle
     const double along[] = {std::cos(angle), std::sin(angle)};
     for (std::size_t axis = 0; axis < 2; ++axis) {
       if (std::abs(along[axis]) < kAlong) continue;
-      const IntegerSum gone =
+      const IntegerSum covered =
           plus(system.corner(HalfedgeMesh::next(h))[axis], system.corner(h)[axis], -1);
-      if (isWholeSum(gone, system)) lengths.insert(plus({}, gone, along[axis] > 0 ? 1 : -1));
+      if (isWholeSum(covered, system)) lengths.insert(plus({}, covered, along[axis] > 0 ? 1 : -1));
     }
   }
 }
