@@ -4,11 +4,11 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { barriers } from '../support/barriers.js';
-import { drop, opened, saved, settled, visit } from '../support/browser_page.js';
-import { verdict } from '../support/doors.js';
-import { readSurface } from '../support/mesh_files.js';
-import { objText, torus } from '../support/shape_files.js';
+import { barriers } from '../../support/barriers.js';
+import { drop, opened, saved, settled, visit } from '../../support/browser_page.js';
+import { verdict } from '../../support/doors.js';
+import { readSurface } from '../../support/mesh_files.js';
+import { objText, torus } from '../../support/shape_files.js';
 
 const { page, complaints } = await visit(
   { hash: '#model=gear&vertices=200', unseen: true, viewport: { width: 1000, height: 600 } });
