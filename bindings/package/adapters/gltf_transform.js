@@ -32,7 +32,8 @@ function partsOf(document) {
   const primitives = meshes.flatMap((mesh) => mesh.listPrimitives());
   const others = primitives.filter((primitive) => !isTriangles(primitive)).length;
   if (others > 0) {
-    document.getLogger().warn(`${name}: Primitives without triangles were skipped (${others}).`);
+    document.getLogger().warn(
+      `${name}: Primitives without triangles were skipped (${others}).`);
   }
   return meshes.map(readPart).filter(({ streams }) => streams.some(({ pool }) =>
     [...pool.triangles.values()].some(({ length }) => length > 0)));
@@ -51,7 +52,7 @@ function partsOf(document) {
  * import { remesh } from 'remesher/gltf-transform';
  * await document.transform(remesh({ ratio: 0.5 }), textureCompress({ encoder: sharp }));
  *
- * @param {Omit<RemeshOptions, 'lods'> & RunOptions} [options] Options of the remeshing and of the run.
+ * @param {Omit<RemeshOptions, 'lods'> & RunOptions} [options] Options of remeshing and of the run.
  * @returns {Transform} For `document.transform(…)`, which rejects with a `RemeshError`; then
  *   nothing has changed.
  */

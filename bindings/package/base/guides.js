@@ -35,7 +35,9 @@ function flatPoints(points, name) {
   if (flat.length % 3 !== 0) {
     throw wrong(`guide ${name} has ${flat.length} coordinates, which is no multiple of three`);
   }
-  if (!flat.every(Number.isFinite)) throw wrong(`a coordinate of guide ${name} is not a finite number`);
+  if (!flat.every(Number.isFinite)) {
+    throw wrong(`a coordinate of guide ${name} is not a finite number`);
+  }
   if (flat.length < 6) throw wrong(`guide ${name} has fewer than two points`);
   return flat;
 }

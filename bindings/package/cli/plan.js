@@ -5,10 +5,10 @@
 import { readdirSync, statSync } from 'node:fs';
 import { basename, join, relative, sep } from 'node:path';
 
-import { RemeshError } from '../base/errors.js';
 import { readFormats, withoutGz } from '../base/formats.js';
-import { legible } from '../base/legible.js';
 import { reason, unreadable } from '../files/reasons.js';
+
+/** @typedef {import('../base/errors.js').RemeshError} RemeshError */
 
 /**
  * A path that the user named, and the place of its result. With an error nothing can be read there.

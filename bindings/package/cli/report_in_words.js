@@ -166,7 +166,8 @@ function repairInWords(repair, nonManifold, model) {
     + `${counted(islands, 'island')} and `
     + `${counted(shells, 'hidden piece')} removed, ${counted(turned, 'triangle')} turned over\n`
     + (rims > 0 ? `  ${counted(rims, 'rim')} left open${widest(repair.rimsAt, model)}\n` : '')
-    + (bodies > 0 ? `  ${counted(bodies, 'sheet')} thickened to ${bodies === 1 ? 'a closed body' : 'closed bodies'}\n` : '')
+    + (bodies > 0 ? `  ${counted(bodies, 'sheet')} thickened to `
+      + `${bodies === 1 ? 'a closed body' : 'closed bodies'}\n` : '')
     + `${lossInWords(repair, model)}\n`
     + `  self-intersecting triangles: ${before} before, ${after} after`;
 }
@@ -196,7 +197,8 @@ function cureInWords({ faults: { repair, openLoops }, input: { nonManifoldEdges 
   if (repair === 'off' && openLoops.length === 0) {
     const rounded = warnings.find((/** @type {any} */ { code }) => code === 'PLACES_JOINED');
     const cure = rounded
-      ? `places that differ only by rounding are to be made one: ${rounded.count}` : suggestions.off;
+      ? `places that differ only by rounding are to be made one: ${rounded.count}`
+      : suggestions.off;
     return `${cure}${touching(nonManifoldEdges)}`;
   }
   return repair === 'off' ? 'nothing needs repair: sheets enclose '

@@ -11,7 +11,8 @@ const extension = 'EXT_meshopt_compression';
 const short = 5122;
 const [unsignedByte, unsignedShort, unsignedInt] = [5121, 5123, 5125];
 
-// Larger texture coordinates are left as they are: multiples of the finest step would need more bits.
+// Larger texture coordinates are left as they are: multiples of the finest step would need more
+// bits.
 const largestTexcoord = 64;
 
 /** What accessors are for, by their numbers. @typedef {{ semantic: string, isTarget: boolean }}

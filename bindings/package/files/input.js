@@ -8,7 +8,6 @@ import { setTimeout as sleep } from 'node:timers/promises';
 
 import { bytesAsked, bytesLooked, isLeftToCore, isReadInBlocks } from '../base/contents.js';
 import { RemeshError } from '../base/errors.js';
-import { legible } from '../base/legible.js';
 import { OpenFile } from '../base/open_file.js';
 import { Pieces } from '../base/pieces.js';
 import { codeOf, kindOf, reason, unreadable } from './reasons.js';
